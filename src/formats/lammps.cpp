@@ -83,8 +83,10 @@ public:
     bool next(DumpFrame& frame, std::int64_t number, bool wanted) {
         begin_frame(number);
         std::optional<std::size_t> count;
-        std::string_view name;              // of the units
-        std::string_view* value = nullptr;  // of the item that was begun, where it is wanted
+        std::string_view name;                 // of the units
+        std::string_view* value = nullptr;     // of the item that was begun, where it is wanted
+        std::optional<std::size_t> box_lines;  // that are still to come, below the head of the box
+        bool has_step = false;
         bool begun = false;
         while (!at_end()) {
             const std::string_view line = walker_.step();
@@ -92,16 +94,24 @@ public:
             const auto item = item_in(words);
             if (words.empty()) continue;
             if (begun && !item) {
+                if (box_lines && (*box_lines)-- == 0) fail_without_head_of_atoms(words);
                 if (value != nullptr) *std::exchange(value, nullptr) = words;
                 continue;
             }
             if (!item) source_.fail(words.substr(0, words.find_first_of(white_space)), "ITEM: TIMESTEP" + of_frame());
+            // What a frame has once would be the next one's.
+            const bool is_step = *item == "TIMESTEP";
+            const bool is_count = item->starts_with("NUMBER OF ATOMS");
+            if ((is_step && has_step) || (is_count && count)) fail_without_head_of_atoms(words);
+            has_step = has_step || is_step;
+            box_lines.reset();
             begun = true;
-            value = *item == "TIMESTEP" ? &frame.step : *item == "TIME" ? &frame.time : *item == "UNITS" ? &name : nullptr;
-            if (item->starts_with("NUMBER OF ATOMS")) {
+            value = is_step ? &frame.step : *item == "TIME" ? &frame.time : *item == "UNITS" ? &name : nullptr;
+            if (is_count) {
                 count = step_over_count();
             } else if (item->starts_with("BOX BOUNDS")) {
                 frame.box = line;
+                box_lines = 3;
             } else if (item->starts_with("ATOMS")) {
                 if (!count) source_.fail(words, "ITEM: NUMBER OF ATOMS" + of_frame() + " above it");
                 note_units(name);
@@ -122,6 +132,11 @@ public:
     }
 
 private:
+    [[noreturn]] void fail_without_head_of_atoms(std::string_view line) const {
+        const std::string_view word = line.substr(0, line.find_first_of(white_space));
+        source_.fail(line.starts_with(item_head) ? line : word, "ITEM: ATOMS" + of_frame());
+    }
+
     // LAMMPS writes them once, at the beginning.
     void note_units(std::string_view name) {
         const auto known = std::ranges::find(dump_units, name, &DumpUnits::name);

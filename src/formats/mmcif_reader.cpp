@@ -316,7 +316,8 @@ SphereData read_mmcif(std::string_view content, const std::string& name, const D
     data.frames = wanted.frames;
     if (!found.fault.empty()) data.warnings.push_back(found.fault + "; passed over");
     data.fault = read.fault;
-    if (!data.fault.empty()) data.warnings.push_back(early_end(data.fault, wanted.frames));
+    // Who reads one frame after the other knows it from the first reading.
+    if (!data.fault.empty() && !options.part.stops) data.warnings.push_back(early_end(data.fault, wanted.frames));
     return data;
 }
 

@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "base/error.hpp"
 #include "formats/atoms.hpp"
@@ -16,6 +18,12 @@ namespace sphereview {
 
 inline bool is_pdb_atom(std::string_view line) { return line.starts_with("ATOM") || line.starts_with("HETATM"); }
 
+// A model that no ENDMDL ends before the next one begins, as where a run was appended to what an ended program had left.
+struct InterruptedModel {
+    std::int64_t frame = 0;
+    std::size_t place = 0;  // of the record MODEL behind it
+};
+
 // Where the atoms of the wanted frame stand. Frames are models, or what END separates, as some programs do.
 struct PdbFrame {
     std::int64_t frames = 0;  // in the file
@@ -25,10 +33,19 @@ struct PdbFrame {
     std::size_t count = 0;  // of its atoms
     std::size_t next = 0;   // where the frame behind it begins, with the title that has its time; 0: there is none
     std::optional<FrameTime> time{};
+    std::optional<InterruptedModel> interrupted{};  // the first of those that were looked at
+    bool ends_in_model = false;                     // the text's last frame is a model that nothing ends
 };
 
 // By `part` it begins behind some frames, which count as looked at.
 PdbFrame find_pdb_frame(std::string_view text, std::int64_t wanted, const PartOfFile& part);
+
+// What is wrong where the text ends within its last model: "NAME:LINE:COLUMN: the text ends, expected ..."; else "". An only model
+// needs an end, too.
+std::string fault_of_last_model(const TextSource& source, const PdbFrame& frame);
+
+// The warning of a model that is interrupted; "" where there is none.
+std::string fault_of_interrupted_model(const TextSource& source, const PdbFrame& frame);
 
 // Reads the wanted frame: atom_of(line, wants_texts) makes a MoleculeAtom of each of its records. has_radii: as MoleculeScene's.
 template <typename AtomOf>
@@ -52,8 +69,23 @@ SphereData read_pdb_frame(const TextSource& source, const DataOptions& options, 
             atom_of(last, false);
         } catch (const InputError& error) {
             data.fault = error.what();
-            data.warnings.push_back(early_end(data.fault, --data.frames));
         }
+    }
+    // One that was ended between two lines leaves a model without its end.
+    if (data.fault.empty()) {
+        std::string cut = fault_of_last_model(source, frame);
+        if (!cut.empty() && frame.frames == 1) {
+            data.warnings.push_back(std::move(cut));
+        } else {
+            data.fault = std::move(cut);
+        }
+    }
+    if (!data.fault.empty()) {
+        if (options.frame + 1 == frame.frames) throw InputError(data.fault);
+        data.warnings.push_back(early_end(data.fault, --data.frames));
+    }
+    if (std::string interrupted = fault_of_interrupted_model(source, frame); !interrupted.empty()) {
+        data.warnings.push_back(std::move(interrupted));
     }
     return data;
 }

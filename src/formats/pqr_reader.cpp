@@ -210,7 +210,7 @@ SphereData read_pqr(std::string_view content, const std::string& name, const Dat
     const TextSource source{name, text_of_file(content)};
     PqrAtoms atoms(source);
     SphereData data = read_pdb_frame(source, options, true, [&](std::string_view line, bool) { return atoms.atom(line); });
-    if (options.frame + 1 == data.frames && ends_short(source.text)) {
+    if (options.frame + 1 == data.frames && data.fault.empty() && ends_short(source.text)) {
         data.warnings.push_back(source.place(source.text.size()) +
                                 "the line ends before that of the atom above it, expected the whole of the atom's radius");
     }

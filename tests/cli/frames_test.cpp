@@ -203,6 +203,40 @@ TEST_F(Frames, OfAPdbFileEndBeforeOneThatIsCutWithinItsLine) {
     EXPECT_EQ(render({"cut.pdb", "--frames", "2", "-s", "9x9"}).status, 2);
 }
 
+TEST_F(Frames, OfAPdbFileEndBeforeAModelWithoutItsEnd) {
+    const std::string atom = "ATOM      1  N   ALA A   1       1.000   0.000   0.000  1.00  0.00           N\n";
+    const std::string model = "MODEL\n" + atom + atom + "ENDMDL\n";
+    folder_.write("cut.pdb", model + model + "MODEL\n" + atom);
+    const std::string fault = "cut.pdb:11:1: the text ends, expected ENDMDL of frame 2";
+    const Outcome outcome = render({"cut.pdb", "--frames", "all", "-s", "9x9"});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(outcome.errors, fault + "; what follows frame 1 is passed over\n");
+    EXPECT_TRUE(folder_.has("cut-00001.png"));
+    EXPECT_FALSE(folder_.has("cut-00002.png"));
+    for (const char* option : {"--frames", "--frame"}) {
+        const Outcome one = render({"cut.pdb", option, "2", "-s", "9x9"});
+        EXPECT_EQ(one.status, 2) << one;
+        EXPECT_EQ(one.errors, fault + "\n");
+    }
+    folder_.write("goes-on.pdb", model + "MODEL\n" + atom + model);
+    const Outcome interrupted = render({"goes-on.pdb", "--frames", "all", "-s", "9x9"});
+    EXPECT_EQ(interrupted.status, 0) << interrupted;
+    EXPECT_EQ(interrupted.errors, "goes-on.pdb:7:1: found 'MODEL', expected ENDMDL of frame 1 above it; frame 1 may be cut off\n");
+    EXPECT_TRUE(folder_.has("goes-on-00002.png"));
+}
+
+#ifndef WITHOUT_GEMMI
+TEST_F(Frames, OfAnMmcifFileSayOnceWhereTheyEnd) {
+    folder_.write("cut.cif",
+                  "data_own\nloop_\n_atom_site.pdbx_PDB_model_num\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
+                  "1 0 0 0\n2 0 0 0\n3 0 0 0\n3 1 0");
+    const Outcome outcome = render({"cut.cif", "--frames", "all", "-s", "9x9"});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(outcome.errors.find("; what follows frame 1 is passed over\n") + 38, outcome.errors.size()) << outcome;
+    EXPECT_TRUE(folder_.has("cut-00001.png"));
+}
+#endif
+
 // There were more, which nobody can find.
 TEST_F(Frames, ThatAreLostBehindDamageGiveAnotherStatus) {
     const std::string frame = "1\n\nO 0 0 0\n";
@@ -220,6 +254,18 @@ TEST_F(Frames, ThatAreLostBehindDamageGiveAnotherStatus) {
     EXPECT_EQ(render(again).status, 2) << "they are not there either";
     expect_done({"a.xyz", "--frames", "0:3", "-s", "9x9", "-o", "out/{frame}.png"});
     EXPECT_EQ(render({"a.xyz", "--frames", "1:4", "-s", "9x9", "-o", "out/{frame}.png"}).status, 2);
+}
+
+TEST_F(Frames, OfADumpAreLostBehindOneWithoutTheHeadOfItsAtoms) {
+    const std::string begin = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\n";
+    const std::string frame = begin + "ITEM: ATOMS id type x y z radius\n1 1 0 0 0 1\n";
+    folder_.write("a.lammpstrj", frame + begin + "1 1 0 0 0 1\n" + frame + frame);
+    const Outcome outcome = render({"a.lammpstrj", "--frames", "all", "-s", "9x9", "-o", "out/{frame}.png"});
+    EXPECT_EQ(outcome.status, 2) << outcome;
+    EXPECT_EQ(outcome.errors,
+              "a.lammpstrj:19:1: found '1', expected ITEM: ATOMS of frame 1; what follows frame 0 is passed over\n");
+    EXPECT_TRUE(folder_.has("out/0.png"));
+    EXPECT_FALSE(folder_.has("out/1.png"));
 }
 
 // Nobody can tell how many frames it had.

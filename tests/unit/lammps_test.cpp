@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "formats/elements.hpp"
@@ -185,6 +187,29 @@ TEST(Lammps, HasFrames) {
     EXPECT_EQ(cut.warnings.back(),
               "a.lammpstrj:27:1: the text ends, expected atom 2 of 2 of frame 1; what follows frame 0 is passed over");
     EXPECT_EQ(message_of<InputError>([&] { dump(first, {.frame = 1}); }), "a.lammpstrj: found 1 frame, number 0, expected frame 1");
+}
+
+// Else the next frame's atoms would be this one's.
+TEST(Lammps, AFrameWithoutTheHeadOfItsAtomsEndsTheFrames) {
+    const std::string frame = dump_frame("id x y z", "1 0 0 0\n2 3 0 0\n");
+    std::string headless = frame;
+    headless.erase(headless.find("ITEM: ATOMS"), std::string_view("ITEM: ATOMS id x y z\n").size());
+    const std::string begun = frame.substr(0, frame.find("ITEM: BOX"));
+    const std::string of_frame = ", expected ITEM: ATOMS of frame 1";
+    const std::vector<std::pair<std::string, std::string>> faults = {
+        {headless, "20:1: found '1'"},
+        {begun, "16:1: found 'ITEM: TIMESTEP'"},
+        {begun.substr(begun.find("ITEM: NUMBER")) + begun.substr(begun.find("ITEM: NUMBER")),
+         "14:1: found 'ITEM: NUMBER OF ATOMS'"},
+    };
+    for (const auto& [middle, found] : faults) {
+        const std::string fault = "a.lammpstrj:" + found + of_frame;
+        const SphereData data = dump(frame + middle + frame);
+        EXPECT_EQ(data.frames, 1);
+        ASSERT_FALSE(data.warnings.empty());
+        EXPECT_EQ(data.warnings.back(), fault + "; what follows frame 0 is passed over");
+        EXPECT_EQ(message_of<InputError>([&] { dump(frame + middle + frame, {.frame = 1}); }), fault);
+    }
 }
 
 TEST(LammpsErrors, SayWhatIsWrong) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
@@ -246,11 +247,67 @@ TEST(PdbOfPrograms, ALastModelMayBeCutShort) {
     EXPECT_EQ(message_of<InputError>([&] { read_programs_pdb(text, {.frame = 1}); }),
               "a.pdb:5:20: the line ends, expected the atom's x in columns 31 to 38");
     // A whole line needs no end.
-    std::string whole = "MODEL        1\n" + record("ATOM      1  CA  ALA A   1", 0) + "ENDMDL\nMODEL        2\n" +
-                        record("ATOM      1  CA  ALA A   1", 1);
+    std::string whole = record("ATOM      1  CA  ALA A   1", 0) + "END\n" + record("ATOM      1  CA  ALA A   1", 1);
     whole.pop_back();
     EXPECT_EQ(read_programs_pdb(whole).frames, 2);
     EXPECT_TRUE(read_programs_pdb(whole).warnings.empty());
+}
+
+TEST(PdbOfPrograms, ALastModelMayBeCutBehindAWholeLine) {
+    const std::string atom = record("ATOM      1  CA  ALA A   1", 0);
+    const std::string first = "MODEL        1\n" + atom + "ENDMDL\n";
+    std::string without_line_end = first + "MODEL        2\n" + atom;
+    without_line_end.pop_back();
+    const std::vector<std::pair<std::string, std::string>> cuts = {
+        {first + "MODEL   ", "4:9"},
+        {first + "MODEL        2\n", "5:1"},
+        {without_line_end, "5:" + std::to_string(atom.size())},
+        {first + "MODEL        2\n" + atom + "TER\n", "7:1"},
+        {first + "MODEL        2\n" + atom + "END", ""},
+        {first + "MODEL        2\n" + atom + "CONECT    1    2\n", ""},
+        {first + "MODEL        2\n" + atom + "ENDMDL", ""},
+        {"MODEL        1\n" + atom + "MODEL        2\n" + atom, ""},  // no model has an end
+    };
+    for (const auto& [text, place] : cuts) {
+        const SphereData data = read_programs_pdb(text);
+        EXPECT_EQ(data.scene.spheres.size(), 1U) << text;
+        if (place.empty()) {
+            EXPECT_EQ(data.frames, 2) << text;
+            EXPECT_EQ(data.warnings, Words()) << text;
+            EXPECT_EQ(read_programs_pdb(text, {.frame = 1}).warnings, Words()) << text;
+            continue;
+        }
+        const std::string fault = "a.pdb:" + place + ": the text ends, expected ENDMDL of frame 1";
+        EXPECT_EQ(data.frames, 1) << text;
+        EXPECT_EQ(data.fault, fault);
+        EXPECT_EQ(data.warnings, Words{fault + "; what follows frame 0 is passed over"});
+        for (const PartOfFile& part :
+             {PartOfFile{}, PartOfFile{.stops = true}, PartOfFile{.frames = 1, .begin = first.size(), .stops = true}})
+            EXPECT_EQ(message_of<InputError>([&] { read_programs_pdb(text, {.frame = 1, .part = part}); }), fault);
+    }
+    const SphereData only = read_programs_pdb("MODEL        1\n" + atom);
+    EXPECT_EQ(only.frames, 1);
+    EXPECT_EQ(only.scene.spheres.size(), 1U);
+    EXPECT_EQ(only.warnings, Words{"a.pdb:3:1: the text ends, expected ENDMDL of frame 0"});
+}
+
+// As where a run goes on that was ended while it wrote.
+TEST(PdbOfPrograms, AModelMayBeCutBeforeTheNext) {
+    const std::string atom = record("ATOM      1  CA  ALA A   1", 0);
+    const std::string whole = "MODEL        1\n" + atom + atom + "ENDMDL\n";
+    const std::string cut = "MODEL        2\n" + atom;
+    const auto warning = [](int line, int frame) {
+        const std::string number = std::to_string(frame);
+        return Words{"a.pdb:" + std::to_string(line) + ":1: found 'MODEL', expected ENDMDL of frame " + number +
+                     " above it; frame " + number + " may be cut off"};
+    };
+    const std::string text = whole + cut + whole;
+    EXPECT_EQ(read_programs_pdb(text).frames, 3);
+    EXPECT_EQ(read_programs_pdb(text).warnings, warning(7, 1));
+    const DataOptions second{.frame = 1, .part = {.frames = 1, .begin = whole.size(), .stops = true}};
+    EXPECT_EQ(read_programs_pdb(text, second).warnings, warning(7, 1));
+    EXPECT_EQ(read_programs_pdb(text, second).scene.spheres.size(), 1U);
+    EXPECT_EQ(read_programs_pdb(cut + whole + whole).warnings, warning(3, 0));
 }
 
 #ifndef WITHOUT_GEMMI
@@ -292,6 +349,7 @@ TEST(MmcifOfPrograms, ALastModelMayBeCutShort) {
     ASSERT_EQ(data.warnings.size(), 1U);
     EXPECT_TRUE(data.warnings[0].starts_with("a.cif:2")) << data.warnings[0];
     EXPECT_TRUE(data.warnings[0].ends_with("; what follows frame 0 is passed over")) << data.warnings[0];
+    EXPECT_EQ(read_mmcif(text, "a.cif", {.part = {.stops = true}}).warnings, Words()) << "they are said where frames are counted";
     EXPECT_THROW(read_mmcif(text, "a.cif", {.frame = 1}), InputError);
     EXPECT_THROW(read_mmcif(columns + "1 0 0 0\n1 1 0", "a.cif", {}), InputError);
     EXPECT_THROW(read_mmcif(columns + "1 0 0 0\n2 1 0\n2 1", "a.cif", {}), InputError);

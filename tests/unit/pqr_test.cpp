@@ -97,8 +97,13 @@ TEST(Pqr, ALastLineMayBeCutShort) {
     EXPECT_EQ(
         cut.warnings,
         (std::vector<std::string>{"a.pqr:6:22: the line ends, expected the atom's charge; what follows frame 0 is passed over"}));
+    const SphereData without_end = pqr(model + "MODEL 2\n" + pqr_two.substr(0, pqr_two.size() - 3));
+    EXPECT_EQ(without_end.frames, 1);
+    EXPECT_EQ(
+        without_end.warnings,
+        (std::vector<std::string>{"a.pqr:7:68: the text ends, expected ENDMDL of frame 1; what follows frame 0 is passed over"}));
     // Half a radius is a radius, too.
-    const SphereData half = pqr(model + "MODEL 2\n" + pqr_two.substr(0, pqr_two.size() - 3), {.frame = 1});
+    const SphereData half = pqr(model + "REMARK\n" + pqr_two.substr(0, pqr_two.size() - 3), {.frame = 1});
     EXPECT_EQ(half.scene.spheres.size(), 2U);
     EXPECT_EQ(half.warnings,
               (std::vector<std::string>{
