@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <span>
 
 #include "base/error.hpp"
 #include "base/number.hpp"
@@ -25,7 +26,7 @@ struct XyzFrame {
 };
 
 XyzLayout layout_of(const TextSource& source, const XyzFrame& frame) {
-    return frame.is_tinker ? tinker_layout() : xyz_layout(source, frame.comment);
+    return frame.is_tinker ? tinker_layout() : xyz_layout(source, frame.comment, frame.atoms);
 }
 
 // The first atom of TINKER's file of the same name, which has no line of comment: "1  O  0.0 0.0 0.0  1  2 3".
@@ -63,12 +64,13 @@ public:
     }
 
     // A line is cut that has fewer words than there are columns. So is one whose last number has fewer decimals than that column
-    // has in many atoms before, where no column's decimals vary: programs write all places alike.
+    // has in many atoms before, where no column's decimals vary: programs write all places alike. A few decimals may be alike by
+    // chance, and what is no plain number, as nan, has none of its own.
     bool holds_atom(const XyzFrame& frame, std::string_view line) const {
         if (frame.atoms.count == 0 || source_.offset_of(line) != frame.atoms.last) return true;
         const auto words = words_of(line);
         if (words.size() < width_of(frame)) return false;
-        if (words.empty() || frame.atoms.count <= alike_lines) return true;
+        if (words.empty() || frame.atoms.count <= alike_lines || !begins_plain_number(words.back())) return true;
         std::vector<std::size_t> before;
         std::string_view text = source_.text.substr(0, frame.atoms.last);
         for (std::size_t i = 0; i < alike_lines; ++i) {
@@ -80,7 +82,8 @@ public:
             if (i > 0 && decimals != before) return true;
             before = std::move(decimals);
         }
-        return before.size() != words.size() || decimals_of(words.back()) >= before.back();
+        if (before.size() != words.size() || before.back() < least_alike_decimals) return true;
+        return decimals_of(words.back()) >= before.back();
     }
 
     // The first line of lattice vectors behind the atoms, for a warning; "" where there is none.
@@ -132,10 +135,21 @@ private:
         }
     }
 
-    static std::size_t decimals_of(std::string_view word) { return word.size() - std::min(word.size(), word.find('.')); }
+    // 0 where there is no point, also behind it.
+    static std::size_t decimals_of(std::string_view word) {
+        const std::size_t point = word.find('.');
+        return point == std::string_view::npos ? 0 : word.size() - point - 1;
+    }
+
+    // Whether digits, perhaps with a sign and a point, begin like this: a lone sign is the least that a cut leaves.
+    static bool begins_plain_number(std::string_view word) {
+        if (word.starts_with('-') || word.starts_with('+')) word.remove_prefix(1);
+        return word.find_first_not_of("0123456789.") == std::string_view::npos && std::ranges::count(word, '.') <= 1;
+    }
 
     static constexpr std::size_t atom_numbers = 3;
     static constexpr std::size_t alike_lines = 16;
+    static constexpr std::size_t least_alike_decimals = 3;
 
     std::size_t numbers_behind_first_;  // behind the number of atoms of the first frame
     std::string vectors_{};
@@ -161,6 +175,7 @@ public:
         const Element* element = nullptr;
         bool has_radius = false;
         bool has_color = false;
+        std::uint64_t type = 0;  // of an atom that has one instead of an element, from 1
         std::size_t column = 0;
         for (const XyzColumn& next : layout_.columns) {
             reader.skip_tokens(next.first - column);
@@ -169,10 +184,19 @@ public:
             switch (next.field) {
                 case XyzField::species:
                     atom.label = reader.word(the("element"));
-                    element = layout_.has_names ? &element_of_name(atom.label, "", NameColumns::unknown)
-                                                : &element_of_species(atom.label);
+                    element = layout_.has_types && parse_whole(atom.label, type) ? &unknown_element()
+                              : layout_.has_names ? &element_of_name(atom.label, "", NameColumns::unknown)
+                                                  : &element_of_species(atom.label);
                     break;
                 case XyzField::position: atom.is_nowhere = !read_place_if_any(reader, the, sphere.center); break;
+                case XyzField::flagged_position:
+                    atom.is_nowhere = !reader.number_if_any(the("x"), sphere.center.x);
+                    reader.skip_tokens(1);
+                    atom.is_nowhere = !reader.number_if_any(the("y"), sphere.center.y) || atom.is_nowhere;
+                    reader.skip_tokens(1);
+                    atom.is_nowhere = !reader.number_if_any(the("z"), sphere.center.z) || atom.is_nowhere;
+                    reader.skip_tokens(1);
+                    break;
                 case XyzField::flat_position:
                     atom.is_nowhere = !reader.number_if_any(the("x"), sphere.center.x);
                     atom.is_nowhere = !reader.number_if_any(the("y"), sphere.center.y) || atom.is_nowhere;
@@ -196,7 +220,7 @@ public:
         } else {
             atom.is_virtual = is_virtual(*element);
             if (!has_radius) atom.sphere.radius = radius_of(*element, options_);
-            if (!has_color) atom.sphere.color = element->color;
+            if (!has_color) atom.sphere.color = type > 0 ? color_of_xyz_type(type) : element->color;
         }
         notes_.any_radius = notes_.any_radius || has_radius;
         return atom;
@@ -220,13 +244,12 @@ private:
     XyzNotes& notes_;
 };
 
-// Where nothing names them, numbers behind the places of the first atom are columns by their place.
-void add_further_columns(std::string_view first_line, std::vector<PropertyColumn>& columns) {
-    constexpr std::size_t named = 4;
+// Where nothing names them, numbers behind the places of the first atom are columns by their place. named: how many come before.
+void add_further_columns(std::string_view first_line, std::size_t named, std::vector<PropertyColumn>& columns) {
     constexpr std::size_t most = 32;
     std::vector<std::string_view> words;
     split_line(first_line, most, words);
-    if (words.size() <= named || !std::all_of(words.begin() + named, words.end(), is_number)) return;
+    if (words.size() <= named || !std::ranges::all_of(std::span(words).subspan(named), is_number)) return;
     for (std::size_t i = named; i < words.size(); ++i)
         columns.push_back({"column" + std::to_string(i + 1), PropertyKind::found, i});
 }
@@ -235,6 +258,11 @@ void add_further_columns(std::string_view first_line, std::vector<PropertyColumn
 std::optional<FrameTime> time_in_comment(std::string_view comment) {
     const auto value = value_in_comment(comment, "time");
     return value ? frame_time(trimmed(*value, ",;"), "") : std::nullopt;
+}
+
+// Of an atom that has a type instead of an element: "type 2".
+std::string name_of_typed(std::string_view label) {
+    return is_digits(label) ? "type " + std::string(label) : name_of_species(label);
 }
 
 SphereData read_xyz_frame(const TextSource& source, const XyzFrame& frame, const DataOptions& options) {
@@ -255,12 +283,14 @@ SphereData read_xyz_frame(const TextSource& source, const XyzFrame& frame, const
         layout.full_color = full;
         atoms = read();
     }
-    if (layout.is_plain) add_further_columns(frame.atoms.first_line(source), layout.properties);
+    if (layout.is_plain) add_further_columns(frame.atoms.first_line(source), layout.width, layout.properties);
     atoms.properties = read_word_properties(source, frame.atoms, layout.properties, options);
-    SphereData data = data_of(std::move(atoms), source.name, options, name_of_species);
+    SphereData data = data_of(std::move(atoms), source.name, options, layout.has_types ? name_of_typed : name_of_species);
     data.time = time_in_comment(frame.comment);
+    if (layout.has(XyzField::flagged_position))
+        data.warnings.push_back(source.name + ": holds MOPAC's flags behind each coordinate; they are passed over");
     // What says neither what nor how large its atoms are holds points.
-    const bool has_species = std::ranges::find(layout.columns, XyzField::species, &XyzColumn::field) != layout.columns.end();
+    const bool has_species = layout.has(XyzField::species) && !layout.has_types;
     if (!has_species && !all.any_radius && !options.radius) use_radius_of_points(data, source.name);
     return data;
 }

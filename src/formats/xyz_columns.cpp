@@ -1,6 +1,7 @@
 #include "formats/xyz_columns.hpp"
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 #include <optional>
 
@@ -59,19 +60,19 @@ public:
             auto field = field_named(name, type, count);
             if (count > most_columns - first) fail("at most " + std::to_string(most_columns) + " columns");
             // Of a symbol and an atomic number the first is the element.
-            if (field == XyzField::species && has(columns, XyzField::species)) field.reset();
+            if (field == XyzField::species && layout.has(XyzField::species)) field.reset();
             if (field != XyzField::position) add_properties(layout.properties, written, type[0], count, first, field);
             if (field) {
                 if (*field == XyzField::position && count == 2) field = XyzField::flat_position;
                 if (*field != XyzField::color && count != columns_of(*field))
                     fail(name + " of " + columns_in_words(*field) + " columns");
-                if (!has(columns, *field)) columns.push_back({*field, first});
+                if (!layout.has(*field)) columns.push_back({*field, first});
                 if (*field == XyzField::color && type == "i") layout.full_color = color_max;
             }
             first += count;
         } while (!ended_);
         layout.width = first;
-        if (has(columns, XyzField::position) || has(columns, XyzField::flat_position)) return layout;
+        if (layout.has(XyzField::position) || layout.has(XyzField::flat_position)) return layout;
         source_.fail_at(value_, "found properties without a position, expected pos:R:3 among them");
     }
 
@@ -108,10 +109,6 @@ private:
         }
     }
 
-    static bool has(const std::vector<XyzColumn>& columns, XyzField field) {
-        return std::ranges::find(columns, field, &XyzColumn::field) != columns.end();
-    }
-
     static std::string columns_in_words(XyzField field) {
         return field == XyzField::position ? "2 or 3" : std::to_string(columns_of(field));
     }
@@ -144,6 +141,45 @@ private:
     bool ended_ = false;
 };
 
+// The optimisation flag of a coordinate.
+bool is_flag_of_mopac(std::string_view word) { return word == "0" || word == "1" || word == "-1" || word == "+1"; }
+
+// With a point: whole numbers may be anything.
+bool is_coordinate_of_mopac(std::string_view word) { return word.find('.') != std::string_view::npos && is_number(word); }
+
+// Whether the line has a species, and a flag behind each of three coordinates; or begins so, where it may be cut.
+bool has_flags_of_mopac(std::string_view line, bool may_be_cut, std::vector<std::string_view>& words) {
+    constexpr std::size_t of_atom = 7;
+    words.clear();
+    split_line(line, of_atom, words);
+    if (may_be_cut && !words.empty()) words.pop_back();
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        if (i % 2 == 1 ? !is_coordinate_of_mopac(words[i]) : !is_flag_of_mopac(words[i])) return false;
+    }
+    return may_be_cut || words.size() == of_atom;
+}
+
+// Whether every line has. Of a last line that has no line end, which may be cut, the others tell the rest.
+bool have_flags_of_mopac(const TextSource& source, const AtomLines& atoms) {
+    if (atoms.count == 0) return false;
+    LineWalker walker = atoms.walker(source, 0);
+    std::vector<std::string_view> words;
+    for (std::size_t i = 0; i < atoms.count; ++i) {
+        const std::string_view line = walker.step();
+        const bool may_be_cut = i > 0 && walker.at_end() && !source.text.ends_with(atoms.line_end);
+        if (!has_flags_of_mopac(line, may_be_cut, words)) return false;
+    }
+    return true;
+}
+
+// Whether LAMMPS's `dump xyz` wrote the atoms, and their types instead of their elements.
+bool have_types_of_lammps(const TextSource& source, std::string_view comment, const AtomLines& atoms) {
+    if (!trimmed(comment, white_space).starts_with("Atoms. Timestep:")) return false;
+    std::vector<std::string_view> words;
+    split_line(atoms.first_line(source), 1, words);
+    return !words.empty() && is_digits(words[0]);
+}
+
 }  // namespace
 
 std::optional<std::string_view> value_in_comment(std::string_view comment, std::string_view wanted) {
@@ -167,14 +203,32 @@ XyzLayout tinker_layout() {
             .width = 6};
 }
 
-XyzLayout xyz_layout(const TextSource& source, std::string_view comment) {
-    const auto properties = value_in_comment(comment, "properties");
-    if (!properties) {
-        return {.columns = {{XyzField::species, 0}, {XyzField::position, 1}},
-                .properties = {{"element", PropertyKind::element, 0}},
-                .is_plain = true};
+XyzLayout xyz_layout(const TextSource& source, std::string_view comment, const AtomLines& atoms) {
+    if (const auto properties = value_in_comment(comment, "properties")) return Properties(source, *properties).layout();
+    XyzLayout layout{.columns = {{XyzField::species, 0}, {XyzField::position, 1}},
+                     .properties = {{"element", PropertyKind::element, 0}},
+                     .is_plain = true};
+    if (have_types_of_lammps(source, comment, atoms)) {
+        layout.properties = {{"type", PropertyKind::words, 0}};
+        layout.has_types = true;
+    } else if (have_flags_of_mopac(source, atoms)) {
+        layout.columns[1].field = XyzField::flagged_position;
+        layout.width = 1 + columns_of(XyzField::flagged_position);
     }
-    return Properties(source, *properties).layout();
+    return layout;
+}
+
+Color color_of_xyz_type(std::uint64_t type) {
+    // Okabe and Ito 2008, as people with colour-blindness can tell them apart.
+    constexpr auto colors = std::to_array<Color>({{0xE6, 0x9F, 0x00},
+                                                  {0x56, 0xB4, 0xE9},
+                                                  {0x00, 0x9E, 0x73},
+                                                  {0xF0, 0xE4, 0x42},
+                                                  {0x00, 0x72, 0xB2},
+                                                  {0xD5, 0x5E, 0x00},
+                                                  {0xCC, 0x79, 0xA7},
+                                                  {0xBB, 0xBB, 0xBB}});
+    return colors[(type - 1) % colors.size()];
 }
 
 }  // namespace sphereview

@@ -94,6 +94,65 @@ TEST(XyzOfPrograms, OfTinkerHasNoComment) {
     EXPECT_EQ(read_programs_xyz("1\n1 O 2 3\nH 1 0 0\n").scene.spheres.at(0).center.x, 1.0);
 }
 
+TEST(XyzOfPrograms, OfMopacHasAFlagBehindEachCoordinate) {
+    const std::string said = "a.xyz: holds MOPAC's flags behind each coordinate; they are passed over";
+    const std::string frame = "3\n PM7\n C -0.748 0 0.015 0 0.024 0\n O 0.5 1 -2.25 -1 3.0 +1\n 1 1. 1 2. 1 3. 0\n";
+    const Centers centers = {{-0.748, 0.015, 0.024}, {0.5, -2.25, 3}, {1, 2, 3}};
+    for (const std::string& before : {std::string(), frame}) {
+        const SphereData data = read_programs_xyz(before + frame, {.frame = before.empty() ? 0 : 1, .all_properties = true});
+        EXPECT_EQ(centers_of(data.scene), centers);
+        EXPECT_EQ(data.warnings, Lines{said});
+        EXPECT_EQ(data.property_names, Lines{"element"});
+        EXPECT_EQ(data.scene.names.at(2), "H");
+    }
+    EXPECT_EQ(read_programs_xyz("1\n\nC 1.0 0 2.0 0 3.0 0 -0.25\n").property_names, (Lines{"element", "column8"}));
+
+    // A last line may be cut within its flags or its coordinates.
+    const std::string cut = frame.substr(0, frame.size() - 3);
+    EXPECT_EQ(centers_of(read_programs_xyz(cut).scene), centers);
+    EXPECT_EQ(read_programs_xyz(cut).warnings,
+              (Lines{said, "a.xyz:5:16: the text ends, expected the whole line of the last atom of frame 0"}));
+    EXPECT_EQ(read_programs_xyz(frame + cut).frames, 1);
+    EXPECT_EQ(message_of<InputError>([&] { read_programs_xyz(frame.substr(0, frame.size() - 6)); }),
+              "a.xyz:5:13: the line ends, expected the z of atom 3 of 3");
+    EXPECT_TRUE(read_programs_xyz("1\n\nC 1 0 0\n" + frame, {.frame = 0}).warnings.empty());
+
+    // What is no flag, or no coordinate, in one line.
+    for (const std::string other : {"C 1.0 0 2.0 0 3.0 2", "C 1.0 0 2.0 0 3.0 0.0", "C 1.0 0 2 0 3.0 0", "C 1.0 0 2.0 0 3.0"}) {
+        const SphereData data = read_programs_xyz("2\n\nC 0.5 1 0.5 1 0.5 1\n" + other + "\n");
+        EXPECT_EQ(data.scene.spheres.at(0).center, glm::dvec3(0.5, 1, 0.5)) << other;
+        EXPECT_TRUE(data.warnings.empty()) << other;
+    }
+    EXPECT_TRUE(read_programs_xyz("2\n\nC 0.5 1 0.5 1 0.5 1\nC 1 0 0").warnings.empty());
+    const std::string named = "1\nProperties=species:S:1:pos:R:3:velo:R:3\nC 0.5 1 0.5 1 0.5 1\n";
+    EXPECT_EQ(read_programs_xyz(named).scene.spheres.at(0).center, glm::dvec3(0.5, 1, 0.5));
+}
+
+TEST(XyzOfPrograms, NumbersBelowTheCommentOfLammpsAreTypes) {
+    std::string atoms;
+    for (int i = 0; i < 12; ++i) atoms += std::to_string(i) + " " + std::to_string(2 * i) + " 0 0\n";
+    const std::string comment = "Atoms. Timestep: 10\n";
+    const DataOptions all{.all_properties = true};
+    const SphereData data = read_programs_xyz("12\n" + comment + atoms, all);
+    // The same atoms in a dump with columns.
+    const SphereData dump =
+        read_lammps("ITEM: TIMESTEP\n10\nITEM: NUMBER OF ATOMS\n12\nITEM: ATOMS type x y z\n" + atoms, "a.xyz", all);
+    EXPECT_EQ(data.scene.spheres, dump.scene.spheres);
+    EXPECT_EQ(data.scene.names, dump.scene.names);
+    EXPECT_EQ(data.scene.properties, dump.scene.properties);
+    EXPECT_EQ(data.property_names, Lines{"type"});
+    EXPECT_EQ(data.warnings, dump.warnings);
+    EXPECT_EQ(data.radius_of_points, 0.5);
+    EXPECT_EQ(read_programs_xyz("12\n" + comment + atoms, {.radius = 3.0}).scene.spheres.at(7).radius, 3.0);
+
+    const Color oxygen = find_element("O")->color;
+    EXPECT_EQ(read_programs_xyz("1\nAtoms. Timestep\n8 0 0 0\n").scene.spheres.at(0).color, oxygen);
+    const SphereData symbols = read_programs_xyz("2\n" + comment + "O 0 0 0\nH 2 0 0\n");
+    EXPECT_EQ(symbols.scene.spheres.at(0).color, oxygen);
+    EXPECT_EQ(symbols.scene.spheres.at(0).radius, find_element("O")->radius);
+    EXPECT_EQ(symbols.property_names, Lines{"element"});
+}
+
 TEST(XyzOfPrograms, ALastLineMayBeCutShort) {
     const std::string first = "2\n\nH 0 0 0\nH 0.5 0 0\n";
     const std::string more = "2\nProperties=species:S:1:pos:R:3:forces:R:3\nH 0 0 0 1 1 1\n";
@@ -123,7 +182,30 @@ TEST(XyzOfPrograms, ALastLineMayBeCutShort) {
         EXPECT_EQ(read_programs_xyz(first + many + cut).frames, 1) << cut;
     }
     EXPECT_TRUE(read_programs_xyz(many + "H 1.2500 0.2500 1.5000").warnings.empty());
+    for (const std::string cut : {"H 1.2500 0.2500 -", "H 1.2500 0.2500 -1.5", "H 1.2500 0.2500 x"})
+        EXPECT_EQ(read_programs_xyz(first + many + cut).frames, 1) << cut;
     EXPECT_TRUE(read_programs_xyz("2\n\nH 0.1 0.2 0.3\nH 0 0 0").warnings.empty());
+}
+
+TEST(XyzOfPrograms, ALastLineMayBeShorterThanTheOthers) {
+    const std::string first = "1\n\nH 0 0 0\n";
+    struct Case {
+        const char* column;  // of all atoms but the last
+        const char* last;
+    };
+    for (const auto& [column, last] :
+         std::vector<Case>{{"0.5000", "nan"}, {"0.5000", "5e-05"}, {"0.5", "10"}, {"0.25", "1"}, {"7", "1"}}) {
+        std::string frame = "20\n\n";
+        for (int i = 0; i < 19; ++i) frame += "H " + std::to_string(i) + ".1250 0.2500 1.5000 " + column + "\n";
+        frame += std::string("H 1.2500 0.2500 1.5000 ") + last;
+        const SphereData data = read_programs_xyz(first + frame, {.frame = 1});
+        EXPECT_EQ(data.frames, 2) << last;
+        EXPECT_TRUE(data.warnings.empty()) << last;
+        EXPECT_EQ(read_programs_xyz(first + frame).frames, 2) << last;
+    }
+    std::string frame = "20\n\n";
+    for (int i = 0; i < 19; ++i) frame += "H " + std::to_string(i) + ".1250 0.2500 1.5000\n";
+    EXPECT_EQ(read_programs_xyz(first + frame + "H 1.2500 0.2500 nan").frames, 2);
 }
 
 TEST(XyzOfPrograms, LinesThatAreNoAtomsMayStandBetweenFrames) {
