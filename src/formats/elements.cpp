@@ -148,4 +148,16 @@ std::string_view symbol_or_name(const Element& element, std::string_view name) {
     return is_virtual(element) && !element_of_species(name).symbol.empty() ? "X" : name;
 }
 
+Color color_of_type(std::uint64_t type) {
+    constexpr auto colors = std::to_array<Color>({{0xE6, 0x9F, 0x00},
+                                                  {0x56, 0xB4, 0xE9},
+                                                  {0x00, 0x9E, 0x73},
+                                                  {0xF0, 0xE4, 0x42},
+                                                  {0x00, 0x72, 0xB2},
+                                                  {0xD5, 0x5E, 0x00},
+                                                  {0xCC, 0x79, 0xA7},
+                                                  {0xBB, 0xBB, 0xBB}});
+    return colors[(type - 1) % colors.size()];
+}
+
 }  // namespace sphereview

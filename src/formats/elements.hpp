@@ -1,6 +1,7 @@
 // The usual colours and radii of the chemical elements.
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 #include "scene/sphere.hpp"
@@ -43,5 +44,8 @@ std::string_view symbol_or_name(const Element& element, std::string_view name);
 // is a symbol ("OW", "CG1"), an ion of CHARMM ("SOD"), or an atomic number; the virtual site for what is_dummy(). Else the unknown
 // element.
 const Element& element_of_species(std::string_view species);
+
+// Of a type, from 1, that is no element: one of eight that people with colour-blindness can tell apart (Okabe and Ito 2008).
+Color color_of_type(std::uint64_t type);
 
 }  // namespace sphereview

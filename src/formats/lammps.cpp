@@ -260,19 +260,6 @@ Cell read_box(const TextSource& source, std::string_view head, char line_end) {
     return box;
 }
 
-// Colours for types that are no elements, which people with colour-blindness can tell apart (Okabe and Ito 2008). number: from 0.
-Color color_of_type(std::uint64_t number) {
-    constexpr auto colors = std::to_array<Color>({{0xE6, 0x9F, 0x00},
-                                                  {0x56, 0xB4, 0xE9},
-                                                  {0x00, 0x9E, 0x73},
-                                                  {0xF0, 0xE4, 0x42},
-                                                  {0x00, 0x72, 0xB2},
-                                                  {0xD5, 0x5E, 0x00},
-                                                  {0xCC, 0x79, 0xA7},
-                                                  {0xBB, 0xBB, 0xBB}});
-    return colors[number % colors.size()];
-}
-
 bool begins_with_letter(std::string_view word) { return !word.empty() && is_letter(word[0]); }
 
 // Whether there are atoms whose element is known, others, and such whose type is more than a number.
@@ -336,7 +323,7 @@ public:
         show_as(atom, element, options_);
         if (radius > 0.0) atom.sphere.radius = radius;
         std::uint64_t number = 0;
-        if (is_number && parse_whole(type, number) && number > 0) atom.sphere.color = color_of_type(number - 1);
+        if (is_number && parse_whole(type, number) && number > 0) atom.sphere.color = color_of_type(number);
         return atom;
     }
 
@@ -391,7 +378,7 @@ void color_by_label(Atoms& atoms, const TextSource& source, const AtomLines& lin
     each_label([&](std::size_t, std::string_view label) { numbers.emplace(label, 0); });
     std::uint64_t next = 0;
     for (auto& [label, number] : numbers) number = next++;
-    each_label([&](std::size_t i, std::string_view label) { atoms.spheres[i].color = color_of_type(numbers.at(label)); });
+    each_label([&](std::size_t i, std::string_view label) { atoms.spheres[i].color = color_of_type(numbers.at(label) + 1); });
 }
 
 // Puts the atoms in the order of their ids, which many processors have mixed.

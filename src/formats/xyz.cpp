@@ -220,7 +220,7 @@ public:
         } else {
             atom.is_virtual = is_virtual(*element);
             if (!has_radius) atom.sphere.radius = radius_of(*element, options_);
-            if (!has_color) atom.sphere.color = type > 0 ? color_of_xyz_type(type) : element->color;
+            if (!has_color) atom.sphere.color = type > 0 ? color_of_type(type) : element->color;
         }
         notes_.any_radius = notes_.any_radius || has_radius;
         return atom;

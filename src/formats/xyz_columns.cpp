@@ -218,17 +218,4 @@ XyzLayout xyz_layout(const TextSource& source, std::string_view comment, const A
     return layout;
 }
 
-Color color_of_xyz_type(std::uint64_t type) {
-    // Okabe and Ito 2008, as people with colour-blindness can tell them apart.
-    constexpr auto colors = std::to_array<Color>({{0xE6, 0x9F, 0x00},
-                                                  {0x56, 0xB4, 0xE9},
-                                                  {0x00, 0x9E, 0x73},
-                                                  {0xF0, 0xE4, 0x42},
-                                                  {0x00, 0x72, 0xB2},
-                                                  {0xD5, 0x5E, 0x00},
-                                                  {0xCC, 0x79, 0xA7},
-                                                  {0xBB, 0xBB, 0xBB}});
-    return colors[(type - 1) % colors.size()];
-}
-
 }  // namespace sphereview

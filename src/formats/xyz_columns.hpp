@@ -60,7 +60,4 @@ XyzLayout xyz_layout(const TextSource& source, std::string_view comment, const A
 // Of TINKER: the atom's number, its name, a position, its type and the atoms that it is bound to.
 XyzLayout tinker_layout();
 
-// The colour of a type that stands for no element, from 1: that of the same type in a dump of LAMMPS with columns.
-Color color_of_xyz_type(std::uint64_t type);
-
 }  // namespace sphereview
