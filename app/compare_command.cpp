@@ -98,10 +98,16 @@ std::string in_words(const Diagnosis& diagnosis, const CompareJob& job, const Lo
     const std::string scene_name = on_one_line(loaded.name);
     const auto count = [](std::int64_t pixels) { return in_groups(static_cast<std::uint64_t>(pixels)); };
     if (diagnosis.different == 0) return name + ": equal to the right picture of " + scene_name + "\n";
-    std::string text = name + ": " + count(diagnosis.different) + " of " + count(diagnosis.pixels) +
-                       " pixels differ from the right picture of " + scene_name + "\n";
-    for (const std::string& line : verdict_in_words(diagnosis)) {
-        text += (line.starts_with("likeliest") ? "  " : "    ") + line + "\n";
+    const std::string differing = count(diagnosis.different) + " of " + count(diagnosis.pixels) +
+                                  " pixels differ from the right picture of " + scene_name + "\n";
+    std::string text = name + ": ";
+    if (!diagnosis.style.empty()) {
+        text += diagnosis.style_words + "\n  " + differing;
+    } else {
+        text += differing;
+        for (const std::string& line : verdict_in_words(diagnosis)) {
+            text += (line.starts_with("likeliest") ? "  " : "    ") + line + "\n";
+        }
     }
     const bool said = diagnosis.shares.size() == 1 && !diagnosis.likeliest.empty();
     for (const MistakeShare& share : said ? std::vector<MistakeShare>{} : diagnosis.shares)
@@ -148,6 +154,8 @@ Json to_json(const Diagnosis& diagnosis, const CompareJob& job, const LoadedScen
             {"different_pixels", diagnosis.different},
             {"likeliest", diagnosis.likeliest},
             {"likeliest_words", diagnosis.likeliest_words},
+            {"style", diagnosis.style.empty() ? Json(nullptr) : Json(diagnosis.style)},
+            {"style_words", diagnosis.style_words},
             {"explained", diagnosis.explained},
             {"contradicting", diagnosis.contradicting},
             {"as_likely", diagnosis.as_likely},

@@ -12,6 +12,7 @@ std::string called(const Scene& scene, std::int32_t number) {
 }
 
 std::vector<std::string> verdict_in_words(const Diagnosis& diagnosis) {
+    if (!diagnosis.style.empty()) return {diagnosis.style_words};
     if (diagnosis.likeliest.empty()) return {"likeliest mistake: none of the usual ones"};
     const auto count = [](std::int64_t pixels) { return in_groups(static_cast<std::uint64_t>(pixels)); };
     if (diagnosis.likeliest.front() == "blank") return {diagnosis.likeliest_words};

@@ -12,6 +12,7 @@ namespace sphereview {
 std::string called(const Scene& scene, std::int32_t number);
 
 // The likeliest mistake of a picture that differs, what speaks for it and against it, and what it cannot be told from; a line each.
+// Of a picture that is only shaded or smoothed, that it is.
 std::vector<std::string> verdict_in_words(const Diagnosis& diagnosis);
 
 // "pixel 3,4: found 255 0 0 (sphere 2), expected 0 0 255 (sphere 1)"

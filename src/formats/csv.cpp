@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <numeric>
@@ -143,8 +144,10 @@ private:
             parse_double(text, value) == NumberFault::none || parse_csv_number(text, table_.commas, value) == NumberFault::none;
         odd = odd || (is_number ? value < 0.0 : !is_missing(text));
         if (!is_number) return false;
-        radius = has_radius ? value : 0.5 * value;
-        return radius > 0.0;
+        radius = table_.units.in_unit_of_places(has_radius ? value : 0.5 * value);
+        const bool is_finite = std::isfinite(radius);
+        odd = odd || !is_finite;
+        return is_finite && radius > 0.0;
     }
 
     bool set_color(Color& color, double& largest, bool& odd) const {
@@ -389,11 +392,16 @@ SphereData read_csv(std::string_view content, const std::string& name, const Dat
 
     forget_empty_columns(table, notes);
     add_properties(data, rows.read_properties_of(data.scene.spheres.size()));
-    if (!table.has_header && options.columns.empty()) {
+    if (table.guessed_places) {
+        const auto is_guessed = [&](CsvColumn column, std::string_view in_choices) {
+            return table.columns.has(column) &&
+                   std::ranges::find(options.columns, in_choices, &ColumnChoice::column) == options.columns.end();
+        };
         data.warnings.push_back(name + ": no header: the first columns are taken for x, y" +
-                                std::string(table.columns.has(CsvColumn::z) ? " and z" : "") +
-                                (table.columns.has(CsvColumn::red) ? ", and three more for red, green and blue" : ""));
+                                std::string(is_guessed(CsvColumn::z, "z") ? " and z" : "") +
+                                (is_guessed(CsvColumn::red, "r") ? ", and three more for red, green and blue" : ""));
     }
+    if (!table.units.words.empty()) data.warnings.push_back(name + ": " + table.units.words);
     if (!table.columns.has(CsvColumn::z)) data.warnings.push_back(name + ": no column for z: all lie in the plane z = 0");
     warn_of_left_out(data, notes.no_center, name, "row", "rows");
     warn_of_odd(data, notes.odd, name);

@@ -63,9 +63,9 @@ constexpr auto color_names = std::to_array<Triple>({
 });
 
 constexpr auto units = std::to_array<std::string_view>(
-    {"nm",      "um",       "\xC2\xB5m", "\xCE\xBCm", "mm",  "cm",  "m",     "km",     "pm",    "fm",     "a",
-     "ang",     "angstrom", "angstroms", "\xC3\xA5",  "px",  "pix", "pixel", "pixels", "voxel", "voxels", "micron",
-     "microns", "unit",     "units",     "pc",        "kpc", "mpc", "au",    "in",     "ft"});
+    {"nm",     "um",       "\xC2\xB5m", "\xCE\xBCm", "mm",       "cm",           "m",   "km",  "pm",    "fm",     "a",
+     "ang",    "angstrom", "angstroms", "\xC3\xA5",  "\xC3\x85", "\xE2\x84\xAB", "px",  "pix", "pixel", "pixels", "voxel",
+     "voxels", "micron",   "microns",   "unit",      "units",    "pc",           "kpc", "mpc", "au",    "in",     "ft"});
 
 std::string compact(std::string_view name) {
     std::string key(name);
@@ -83,13 +83,19 @@ std::string_view without_bracket(std::string_view name) {
     return trimmed(name.substr(0, open));
 }
 
+// Where the unit of "x_um", "x nm" or "x in mm" begins; npos where there is none.
+std::size_t unit_behind_name(std::string_view name) {
+    const std::size_t end = name.find_last_of(" _/,-");
+    if (end == std::string_view::npos || end == 0) return std::string_view::npos;
+    return std::ranges::find(units, name.substr(end + 1)) == units.end() ? std::string_view::npos : end + 1;
+}
+
 // `name` without "_um", " nm" or " in mm" at its end.
 std::string_view without_unit(std::string_view name) {
     constexpr std::string_view in = " in";
-    const std::size_t end = name.find_last_of(" _/,-");
-    if (end == std::string_view::npos || end == 0) return name;
-    if (std::ranges::find(units, name.substr(end + 1)) == units.end()) return name;
-    name = name.substr(0, end);
+    const std::size_t unit = unit_behind_name(name);
+    if (unit == std::string_view::npos) return name;
+    name = name.substr(0, unit - 1);
     return name.size() > in.size() && name.ends_with(in) ? name.substr(0, name.size() - in.size()) : name;
 }
 
@@ -209,9 +215,27 @@ bool is_unit(std::string_view text) {
     return std::ranges::find(units, lower) != units.end();
 }
 
+std::string unit_in(std::string_view name) {
+    const std::string_view plain = trimmed(name);
+    const std::string_view before = without_bracket(plain);
+    if (before.size() < plain.size()) {
+        const std::string_view bracket = trimmed(plain.substr(before.size()));
+        const std::string_view inside = trimmed(bracket.substr(1, bracket.size() - 2));
+        const bool may_be_any = bracket[0] == '[' && inside.find_first_of("0123456789") == std::string_view::npos;
+        return is_unit(inside) || may_be_any ? std::string(inside) : "";
+    }
+    const std::size_t unit = unit_behind_name(lower_case(plain));
+    return unit == std::string_view::npos ? "" : std::string(plain.substr(unit));
+}
+
 ChosenColumns choose_columns(const ColumnNames& names, const std::vector<ColumnChoice>& choices) {
     ChosenColumns chosen;
     chosen.columns = columns_by_name(names);
+    apply_choices(names, choices, chosen);
+    return chosen;
+}
+
+void apply_choices(const ColumnNames& names, const std::vector<ColumnChoice>& choices, ChosenColumns& chosen) {
     std::size_t numbers = 0;
     for (const ColumnChoice& choice : choices) {
         const auto known = std::ranges::find(csv_column_names, choice.column);
@@ -227,7 +251,6 @@ ChosenColumns choose_columns(const ColumnNames& names, const std::vector<ColumnC
         if (choice.column == "diameter") chosen.columns[CsvColumn::radius].reset();
     }
     chosen.places_by_number = numbers == 2;
-    return chosen;
 }
 
 std::optional<std::vector<ColumnChoice>> parse_column_choices(const std::string& text) {

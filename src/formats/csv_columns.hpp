@@ -34,6 +34,10 @@ std::string column_key(std::string_view name);
 // Whether text is a unit of length, perhaps in brackets: "nm", "(um)".
 bool is_unit(std::string_view text);
 
+// The unit that a column's name ends with, as it stands there: "mm" for "X (mm)", "um" for "x_um"; "" where there is none. Round
+// brackets hold other words, too: in them, only a known unit is one.
+std::string unit_in(std::string_view name);
+
 // The columns that are drawn among those with such names. Places may be missing: a table needs x and y.
 struct ChosenColumns {
     CsvColumns columns{};
@@ -43,5 +47,8 @@ struct ChosenColumns {
     bool has_places() const { return missing == nullptr && columns.has(CsvColumn::x) && columns.has(CsvColumn::y); }
 };
 ChosenColumns choose_columns(const ColumnNames& names, const std::vector<ColumnChoice>& choices);
+
+// Puts what is chosen in the place of what `chosen` has.
+void apply_choices(const ColumnNames& names, const std::vector<ColumnChoice>& choices, ChosenColumns& chosen);
 
 }  // namespace sphereview

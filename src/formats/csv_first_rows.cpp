@@ -204,11 +204,15 @@ void look_at_first_rows(const TextSource& source, const ColumnNames& names, std:
     for (std::size_t i = 0; i < names.size(); ++i) {
         const auto drawn = std::ranges::find(columns.places, std::optional(first + i));
         const bool is_drawn = drawn != columns.places.end();
-        if (!is_drawn && !names[i].empty()) table.passed_over.push_back({names[i], first + i});
         if (!is_drawn && (first + i >= found.has_value.size() || !found.has_value[first + i])) table.rare.push_back(first + i);
         const auto column = is_drawn ? std::optional(static_cast<CsvColumn>(drawn - columns.places.begin())) : std::nullopt;
+        const std::size_t properties = table.properties.size();
         add_property(names[i], first + i, column, table);
+        if (is_drawn || names[i].empty()) continue;
+        const bool is_property = table.properties.size() > properties;
+        table.passed_over.push_back({is_property ? table.properties.back().name : names[i], first + i});
     }
+    table.units = find_units(names, first, table);
 }
 
 }  // namespace sphereview

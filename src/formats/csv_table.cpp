@@ -46,6 +46,13 @@ ColumnNames names_of(const CsvRecords& records, char separator) {
     return names;
 }
 
+// What columns without names are called.
+ColumnNames numbers_up_to(std::size_t count) {
+    ColumnNames numbers;
+    for (std::size_t i = 1; i <= count; ++i) numbers.push_back(std::to_string(i));
+    return numbers;
+}
+
 // Finds where a table begins; see find_csv_table().
 class TableFinder {
 public:
@@ -115,9 +122,7 @@ private:
     }
 
     // Whether the table begins with the line at `begin`: its header, or the first row where there is none, or only a comment.
-    bool begins_at(std::size_t begin) {
-        return has_header_at(begin) || (comment_ && fits_comment(begin)) || (choices_.empty() && is_headless(begin));
-    }
+    bool begins_at(std::size_t begin) { return has_header_at(begin) || (comment_ && fits_comment(begin)) || is_headless(begin); }
 
     bool has_header_at(std::size_t begin) {
         for (const char separator : candidates()) {
@@ -126,7 +131,7 @@ private:
             if (header.fields().size() > most_csv_columns) {
                 header.fail(header.fields()[most_csv_columns], "at most " + std::to_string(most_csv_columns) + " columns");
             }
-            const ColumnNames names = names_of(header, separator);
+            ColumnNames names = names_of(header, separator);
             const ChosenColumns chosen = choose_columns(names, choices_);
             if (!chosen.has_places() || (chosen.places_by_number && !is_row(header, chosen.columns))) continue;
             take(chosen, separator);
@@ -135,6 +140,7 @@ private:
                 table_.has_header = false;
                 table_.begin = begin;
                 table_.fields = header.fields().size();
+                names = numbers_up_to(table_.fields);
             } else {
                 refuse_twice(header, names);
                 table_.fields = names.size();
@@ -202,11 +208,17 @@ private:
                 chosen.columns[CsvColumn::green] = 4;
                 chosen.columns[CsvColumn::blue] = 5;
             }
-            ColumnNames numbers;
-            for (std::size_t i = 1; i <= count; ++i) numbers.push_back(std::to_string(i));
+            const ColumnNames numbers = numbers_up_to(count);
+            apply_choices(numbers, choices_, chosen);
+            if (!chosen.has_places()) continue;
+            const CsvColumns& columns = chosen.columns;
+            if (!columns.has(CsvColumn::red) || !columns.has(CsvColumn::green) || !columns.has(CsvColumn::blue)) {
+                for (const CsvColumn color : {CsvColumn::red, CsvColumn::green, CsvColumn::blue}) chosen.columns[color].reset();
+            }
             take(chosen, separator);
             table_.has_header = false;
             table_.begin = begin;
+            table_.guessed_places = true;
             look_at_first_rows(source_, numbers, 0, choices_, table_);
             return true;
         }
@@ -257,15 +269,18 @@ private:
         for (int skipped = 0; skipped <= most_unit_rows && rows.try_next(); ++skipped) {
             if (is_row(rows, table_.columns)) return skipped == 0 ? begin : rows.begin();
             const auto is_word = [](const CsvField& field) { return !is_csv_number(field.text, true); };
-            if (!std::ranges::all_of(rows.fields(), is_word) && !has_units_for_places(rows)) break;
+            const bool are_units = has_units_for_places(rows);
+            if (!std::ranges::all_of(rows.fields(), is_word) && !are_units) break;
+            if (are_units) table_.row_of_units = names_of(rows, ',');  // each field is one
         }
+        table_.row_of_units.clear();
         return begin;
     }
 
     bool has_units_for_places(const CsvRecords& rows) const {
         for (const CsvColumn column : {CsvColumn::x, CsvColumn::y}) {
             const std::size_t place = *table_.columns[column];
-            if (place >= rows.fields().size() || !is_unit(rows.fields()[place].text)) return false;
+            if (place >= rows.fields().size() || !is_unit(as_utf8(rows.fields()[place].text))) return false;
         }
         return true;
     }

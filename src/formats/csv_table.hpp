@@ -9,6 +9,7 @@
 
 #include "formats/csv_columns.hpp"
 #include "formats/csv_records.hpp"
+#include "formats/csv_units.hpp"
 #include "formats/csv_values.hpp"
 #include "formats/lines.hpp"
 #include "formats/property_columns.hpp"
@@ -18,7 +19,7 @@ namespace sphereview {
 
 // A column that nothing drawn is made of.
 struct CsvPassedOver {
-    std::string name;  // or number from 1
+    std::string name;  // of its property, where it is one
     std::size_t place;
 };
 
@@ -28,6 +29,7 @@ struct CsvTable {
     CsvColumns columns{};
     std::size_t begin = 0;                     // of the first row
     bool has_header = true;                    // else what the columns are is a guess
+    bool guessed_places = false;               // rows alone say where x and y are
     Commas commas = Commas::none;              // in numbers
     double full_color = color_max;             // what the first rows show: what stands for 255 in red, green and blue
     bool packed_colors = false;                // a colour is one whole number, else hexadecimal
@@ -36,6 +38,8 @@ struct CsvTable {
     std::vector<CsvPassedOver> passed_over{};  // the other columns
     std::vector<std::size_t> rare{};           // ascending: those of them that have no value in the first rows
     std::vector<PropertyColumn> properties{};  // all but places, colours and names
+    ColumnNames row_of_units{};                // by the header's names; empty where there is no such row
+    CsvUnits units{};
 };
 
 inline constexpr std::size_t most_csv_columns = 100'000;

@@ -46,6 +46,12 @@ public:
     // picture shows instead of the right background.
     std::optional<std::int32_t> number_of(const Color& color, const std::optional<Color>& background_found) const;
 
+    // Of a transparent background in a picture that has alpha; otherwise alpha is passed over.
+    std::optional<std::uint8_t> alpha(std::size_t i) const {
+        if (!background_.transparent || picture_.channels() != 4) return std::nullopt;
+        return picture_.bytes()[4 * i + 3];
+    }
+
     Color found(std::size_t i) const;
 
     Color right(std::int32_t number) const;
@@ -80,12 +86,6 @@ public:
     }
 
 private:
-    // Of a transparent background in a picture that has alpha; otherwise alpha is passed over.
-    std::optional<std::uint8_t> alpha(std::size_t i) const {
-        if (!background_.transparent || picture_.channels() != 4) return std::nullopt;
-        return picture_.bytes()[4 * i + 3];
-    }
-
     const Image& picture_;
     const Scene& scene_;
     Background background_;

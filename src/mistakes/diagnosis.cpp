@@ -8,6 +8,7 @@
 
 #include "exact/visible.hpp"
 #include "mistakes/comparer.hpp"
+#include "mistakes/picture_style.hpp"
 
 namespace sphereview {
 
@@ -292,6 +293,12 @@ Diagnosis diagnose(const Image& picture, const Scene& scene, const Background& b
     add_share({"unknown", "another sphere's colour or the background's, for no usual reason"}, unknown_mark, has_color);
     add_share({"no-color", "a colour that nothing in the scene has, such as a mixed or a shaded one"}, no_color_mark,
               [](std::size_t) { return true; });
+
+    if (out.likeliest.empty()) {
+        const PictureStyleWords style = words_of(style_of(comparer, right, wrong.size()));
+        out.style = style.name;
+        out.style_words = style.words;
+    }
 
     add_examples(out, comparer, right, share_of);
     if (marked != nullptr) {

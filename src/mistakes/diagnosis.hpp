@@ -38,6 +38,8 @@ struct Diagnosis {
     std::int64_t different = 0;
     std::vector<std::string> likeliest{};    // the names of the mistakes that together explain most; none: no usual one
     std::string likeliest_words{};           // the same for people
+    std::string style{};                     // "shaded" or "smoothed" where the picture looks so, rather than wrong; else ""
+    std::string style_words{};               // the same for people
     std::vector<std::string> as_likely{};    // names of single mistakes that this picture cannot tell from the likeliest one
     std::string as_likely_words{};           // the same for people
     std::optional<Color> background{};       // that the likeliest mistake has instead of the right one

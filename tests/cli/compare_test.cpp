@@ -77,6 +77,37 @@ TEST_F(Compare, GoesThroughAClassAndReportsJson) {
     EXPECT_FALSE(folder_.has("mine-difference.png"));
 }
 
+TEST_F(Compare, SaysThatAPictureIsShadedOrSmoothed) {
+    const std::string wants = "; compare wants flat pictures of one sample (--shade flat --samples 1)\n";
+    folder_.write("scene.txt", "3  255 0 0  0 0 300 50  0 0 255  -30 0 250 30  200 200 200  60 20 280 30");
+    std::vector<std::string> background_option;
+    const auto style_of = [&](const std::vector<std::string>& options) {
+        render(folder_, all_words(all_words({"scene.txt", "-s", "120x80", "-o", "mine.png"}, background_option), options));
+        const std::vector<std::string> usual = all_words({"mine.png", "scene.txt", "--no-diff"}, background_option);
+        const Outcome outcome = compare(usual);
+        EXPECT_EQ(outcome.status, 1) << outcome;
+        EXPECT_FALSE(contains(outcome.output, "likeliest mistake")) << outcome;
+        EXPECT_TRUE(contains(outcome.output.substr(0, outcome.output.find('\n') + 1), wants)) << outcome;
+        EXPECT_TRUE(contains(outcome.output, " pixels differ from the right picture of scene.txt\n")) << outcome;
+        const Json report = Json::parse(compare(all_words(usual, {"--json"})).output);
+        EXPECT_TRUE(outcome.output.starts_with("mine.png: " + report["style_words"].get<std::string>())) << outcome;
+        EXPECT_EQ(report["likeliest"], Json::array());
+        return report["style"].get<std::string>();
+    };
+    for (const std::string background : {"0,0,0", "255,255,255", "transparent"}) {
+        background_option = {"--background", background};
+        EXPECT_EQ(style_of({"--shade", "studio"}), "shaded") << background;
+        EXPECT_EQ(style_of({"--shade", "studio", "--samples", "4", "--sun", "1,1,-1"}), "shaded") << background;
+        EXPECT_EQ(style_of({"--shade", "headlight"}), "shaded") << background;
+        EXPECT_EQ(style_of({"--samples", "4"}), "smoothed") << background;
+    }
+    // Flat pictures are judged as ever.
+    render(folder_, {"scene.txt", "-s", "60x40", "-o", "right.png"});
+    write_upside_down("mine.ppm");
+    const Json flat = Json::parse(compare({"mine.ppm", "scene.txt", "--no-diff", "--json"}).output);
+    EXPECT_TRUE(flat["style"].is_null()) << flat.dump();
+}
+
 TEST_F(Compare, MakesTheFolderOfAPattern) {
     folder_.write("scene.txt", "1  0 255 0  0 0 300 50");
     EXPECT_EQ(compare({"right.png", "scene.txt", "--diff", "new/{name}.png"}).status, 1);

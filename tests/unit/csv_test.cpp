@@ -303,6 +303,80 @@ TEST(CsvElements, GiveColoursAndRadii) {
     EXPECT_EQ(table("type,x,y,z\nC,0,0,0\nbond,0,0,1\n").scene.names.size(), 0U);
 }
 
+TEST(CsvUnits, OfRadiiBecomeThoseOfPlaces) {
+    struct Case {
+        const char* text;
+        double radius;
+        const char* said;
+    };
+    for (const Case& is : std::vector<Case>{
+             {"x,y,z,diameter,v\nmm,mm,mm,um,m/s\n1,2,3,200,1\n", 0.1,
+              "diameter is in um and the places in mm: the radii are converted to mm"},
+             {"X (mm);Y (mm);Z (mm);Durchmesser (\xC2\xB5m)\n1,5;2;3;100\n", 0.05,
+              "diameter is in \xC2\xB5m and the places in mm: the radii are converted to mm"},
+             {"x_nm,y_nm,z_nm,radius_pm\n1,2,3,70\n", 0.07, "radius is in pm and the places in nm: the radii are converted to nm"},
+             {"x [\xC3\x85],y [\xC3\x85],z [\xC3\x85],radius [nm]\n1,2,3,0.7\n", 7.0,
+              "radius is in nm and the places in \xC3\x85: the radii are converted to \xC3\x85"},
+             {"x,y,z,radius\nAngstrom,Angstrom,Angstrom,km\n1,2,3,2\n", 2e13,
+              "radius is in km and the places in Angstrom: the radii are converted to Angstrom"},
+             {"# x [m] y [m] z [m] radius [cm]\n1 2 3 5\n", 0.05,
+              "radius is in cm and the places in m: the radii are converted to m"},
+             // Units that differ, and of which one is no known length.
+             {"x (um),y (um),z (um),radius (px)\n1,2,3,4\n", 4.0,
+              "radius is in px and the places in um: all numbers are taken as they are"},
+             {"x,y,z,radius\nmm,mm,mm,furlong\n1,2,3,4\n", 4.0,
+              "radius is in furlong and the places in mm: all numbers are taken as they are"},
+             {"x [Mm],y [Mm],z [Mm],radius [mm]\n1,2,3,4\n", 4.0,
+              "radius is in mm and the places in Mm: all numbers are taken as they are"},
+             {"x (mm),y (mm),z (um),radius (mm)\n1,2,3,4\n", 4.0, "x is in mm and z in um: all numbers are taken as they are"},
+             // Nothing to convert.
+             {"x (um),y (um),z (um),radius (\xCE\xBCm)\n1,2,3,4\n", 4.0, nullptr},
+             {"x (px),y (px),z (px),radius (PX)\n1,2,3,4\n", 4.0, nullptr},
+             {"x (mm),y (mm),z (mm),radius (mean)\n1,2,3,4\n", 4.0, nullptr},
+             {"x,y,z,radius [um]\n1,2,3,4\n", 4.0, nullptr},
+             {"x,y,z,radius\nmm,mm,mm,-\n1,2,3,4\n", 4.0, nullptr},
+         }) {
+        const SphereData data = table(is.text);
+        ASSERT_EQ(data.scene.spheres.size(), 1U) << is.text;
+        EXPECT_EQ(data.scene.spheres[0].radius, is.radius) << is.text;
+        EXPECT_EQ(data.warnings, is.said == nullptr ? Lines{} : Lines{std::string("a.csv: ") + is.said}) << is.text;
+    }
+    // A radius beyond a double's range is none.
+    const SphereData large = table("x [pm],y [pm],z [pm],radius [km]\n1,2,3,1e300\n1,2,3,1\n");
+    EXPECT_EQ(large.scene.spheres[0].radius, 1.0);
+    EXPECT_EQ(large.scene.spheres[1].radius, 1e15);
+    EXPECT_EQ(large.warnings.size(), 2U);
+}
+
+TEST(CsvColumns, WithoutAHeaderAreCalledAsTheirProperties) {
+    const std::string bare = "1,2,3,0.5\n4,5,6,0.25\n";
+    const std::string passed_over = "a.csv: columns that are passed over: 'column4'; --color-by and --size-by can use them";
+    EXPECT_EQ(table(bare).notes, Lines{passed_over});
+    EXPECT_EQ(table(bare).property_names, Lines{"column4"});
+    const SphereData chosen = table(bare, with_columns("x=1,y=2,z=3"));
+    EXPECT_EQ(chosen.notes, Lines{passed_over});
+    EXPECT_EQ(chosen.property_names, Lines{"column4"});
+    EXPECT_EQ(table("x,y,z,a,a\n1,2,3,4,5\n").notes,
+              Lines{"a.csv: columns that are passed over: 'a', 'a 2'; --color-by and --size-by can use them"});
+}
+
+TEST(CsvColumns, ChosenByNumbersLeaveTheRestToTheRows) {
+    const std::string bare = "1,2,3,0.5\n4,5,6,0.25\n";
+    const SphereData data = table(bare, with_columns("radius=4"));
+    EXPECT_EQ(centers_of(data.scene), two);
+    EXPECT_EQ(data.scene.spheres[1].radius, 0.25);
+    EXPECT_EQ(data.warnings, Lines{"a.csv: no header: the first columns are taken for x, y and z"});
+    EXPECT_EQ(centers("1,2,9,3\n4,5,9,6\n", with_columns("z=4")), two);
+    EXPECT_EQ(spheres("1,2,3,40,50,60\n", with_columns("diameter=4"))[0].color, (Color{255, 255, 255}));
+    EXPECT_EQ(spheres("1,2,3,8,40,50,60\n", with_columns("radius=4,r=5,g=6,b=7"))[0].color, (Color{40, 50, 60}));
+    EXPECT_EQ(spheres("C,1,2,3,8\n", with_columns("radius=5"))[0].radius, 8.0);
+    for (const char* choices : {"radius=5", "radius=size", "x=2,radius=4"}) {
+        EXPECT_THROW(table(bare, with_columns(choices)), InputError) << choices;
+    }
+    // Names that nobody knows are no reason to guess.
+    EXPECT_THROW(table("a,b,c,d\n" + bare, with_columns("radius=4")), InputError);
+}
+
 TEST(CsvDialects, OfProgramsAreRead) {
     for (const std::string text : {
              "# made by own program\nx,y,z\n1,2,3\n4,5,6\n",
@@ -381,7 +455,7 @@ TEST(CsvWithoutHeader, TakesTheFirstColumns) {
     EXPECT_EQ(data.warnings[0], "a.csv: no header: the first columns are taken for x, y and z");
     const SphereData colored = table("1.5 2 3 255 128 0 0.7\n4 5 6 255 128 0 0.7\n");
     EXPECT_EQ(colored.scene.spheres[1].color, (Color{255, 128, 0}));
-    EXPECT_EQ(colored.notes, Lines{"a.csv: columns that are passed over: '7'; --color-by and --size-by can use them"});
+    EXPECT_EQ(colored.notes, Lines{"a.csv: columns that are passed over: 'column7'; --color-by and --size-by can use them"});
     // Names that nobody knows are no reason to guess.
     EXPECT_EQ(message_of<InputError>([] { spheres("mass,time,depth\n1,2,3\n"); }),
               "a.csv:1:1: found the columns 'mass', 'time', 'depth', expected a header with x, y, z, and perhaps radius, r, g, b, "

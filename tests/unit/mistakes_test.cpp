@@ -240,6 +240,42 @@ TEST(Diagnosis, TakesNoSpheresColourForTheBackground) {
     EXPECT_EQ(diagnosed(painted(scene, size, numbers), scene).likeliest, (std::vector<std::string>{"background"}));
 }
 
+// Colours of a program that shades or smooths, and of one that only writes colours in a wrong way.
+TEST(Diagnosis, TellsAnotherStyleFromAMistake) {
+    const Scene scene = usual_scene(1);
+    const PictureSize size{120, 120};
+    const std::vector<int> right = traced<double>(scene, size, {});
+    const Image flat = painted(scene, size, right);
+    const auto changed = [&](const auto& change) {
+        Image picture = painted(scene, size, right);
+        for (std::size_t i = 0; i < right.size(); ++i) change(i, picture.bytes().data() + 3 * i);
+        return diagnosed(picture, scene);
+    };
+    const auto shade = [&](std::size_t i, std::uint8_t* color) {
+        for (int c = 0; right[i] >= 0 && c < 3; ++c) color[c] = static_cast<std::uint8_t>(color[c] * (60 + i / 120) / 200);
+    };
+    EXPECT_EQ(changed(shade).style, "shaded");
+    const auto mix_with_left = [&](std::size_t i, std::uint8_t* color) {
+        const std::uint8_t* left = flat.bytes().data() + 3 * (i % 120 == 0 ? i : i - 1);
+        for (int c = 0; c < 3; ++c) color[c] = static_cast<std::uint8_t>((color[c] + left[c] + 1) / 2);
+    };
+    EXPECT_EQ(changed(mix_with_left).style, "smoothed");
+
+    // Each sphere's colour darker, as a wrong gamma makes it: few colours.
+    const auto darken = [&](std::size_t, std::uint8_t* color) {
+        for (int c = 0; c < 3; ++c) color[c] = static_cast<std::uint8_t>(color[c] * color[c] / 255);
+    };
+    EXPECT_EQ(changed(darken).style, "");
+    // Shaded, and upside down.
+    const std::vector<int> turned = traced<double>(scene, size, {.orientation = "y-down"});
+    Image wrong = painted(scene, size, turned);
+    for (std::size_t i = 0; i < turned.size(); ++i) {
+        if (turned[i] >= 0) wrong.bytes()[3 * i] = static_cast<std::uint8_t>(i / 120);
+    }
+    EXPECT_EQ(diagnosed(wrong, scene).style, "");
+    EXPECT_EQ(diagnosed(painted(scene, size, turned), scene).style, "");
+}
+
 // What only float cannot tell, a missing depth test may show as well.
 TEST(Diagnosis, SaysThatFloatIsAsLikely) {
     Scene scene;
