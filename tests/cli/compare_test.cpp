@@ -94,7 +94,7 @@ TEST_F(Compare, SaysThatAPictureIsShadedOrSmoothed) {
         EXPECT_EQ(report["likeliest"], Json::array());
         return report["style"].get<std::string>();
     };
-    for (const std::string background : {"0,0,0", "255,255,255", "transparent"}) {
+    for (const std::string background : {"black", "white", "transparent"}) {
         background_option = {"--background", background};
         EXPECT_EQ(style_of({"--shade", "studio"}), "shaded") << background;
         EXPECT_EQ(style_of({"--shade", "studio", "--samples", "4", "--sun", "1,1,-1"}), "shaded") << background;
