@@ -11,8 +11,8 @@ namespace sphereview {
 void install_interrupt_handlers();
 
 // From now on the first of these signals is passed to `act`, called with the signal's number on a thread of its own, so that a
-// program with unsaved work can keep that; one that comes a second later or more ends the process as above, and those before are the
-// same interruption said again. Call once.
+// program with unsaved work can keep that; one that comes a second later or more ends the process as above, and those before are
+// the same interruption said again. Call once.
 void pass_interrupts_to(std::function<void(int)> act);
 
 // For who was passed a signal: ends the process as above, once no Unfinished lives. The caller holds no lock that one of them waits
