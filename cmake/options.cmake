@@ -13,8 +13,8 @@ else()
         # GCC's optimiser warns falsely of the standard library's strings (restrict: GCC bug 105651) and, in GCC 14, of Boost's integers (the
         # other two). That their headers are SYSTEM does not silence it. The sanitizers look for such faults.
         $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow> $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>
-        # A tenth of the time to compile: below half a gigabyte GCC looks for no memory that it could give back to itself.
-        $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=524288>
+        # A seventh of the time to compile: below two gigabytes GCC looks for no memory that it could give back to itself.
+        $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=2097152>
         # Part of -Wconversion for Clang alone.
         $<$<CXX_COMPILER_ID:Clang,AppleClang>:-Wno-sign-conversion>
         # Where one source of a unity build follows another, a local name may be that of the other's helper, and what is included is
@@ -74,8 +74,8 @@ endfunction()
 
 # Several sources are compiled as one, which takes half the time. The price: helpers of a target's sources need different names, and who edits
 # one source compiles its neighbours, too; -DCMAKE_UNITY_BUILD=OFF serves those who edit much.
-# Two dozen at once: two thirds of the time of CMake's eight, for what templates become is compiled once for all of them; more would need more
-# than the two gigabytes of memory that each compiler has on small machines.
+# Two dozen at once: two thirds of the time of CMake's eight, for what templates become is compiled once for all of them; a compiler needs up to
+# one and a half gigabytes of memory for them.
 if(NOT DEFINED CMAKE_UNITY_BUILD)
     set(CMAKE_UNITY_BUILD ON)
 endif()

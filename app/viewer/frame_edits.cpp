@@ -95,8 +95,8 @@ bool lacks_edited_spheres(const ViewerState& state) {
 void take_shared_edits(ViewerState& state, std::size_t next_size) {
     FrameEdits& edits = state.player.edits;
     edits.shared = shared_edits_now(state);
-    // While a film plays nothing is kept: what it began with is.
-    if (edits.shared.go_beyond(next_size) && !state.player.clock.plays()) {
+    // What it got from others is kept already.
+    if (edits.shared.go_beyond(next_size) && state.document.revision() != edits.given_revision) {
         state.autosave.keep_before_reading(state.document, state.path);
     }
     edits.before.reset();
@@ -105,7 +105,10 @@ void take_shared_edits(ViewerState& state, std::size_t next_size) {
 void give_shared_edits(ViewerState& state) {
     const FrameChanges& shared = state.player.edits.shared;
     Document& document = state.document;
-    if (!shared.any()) return state.autosave.shows_frame(document, false);
+    if (!shared.any()) {
+        state.player.edits.given_revision = document.revision();
+        return state.autosave.shows_frame(document, false);
+    }
     note_frame_before_edit(state, false);
     const std::uint64_t gesture = ++state.gesture;
     const auto give = [&](Edit edit) { document.apply(std::move(edit), "Changes of all frames", gesture); };
@@ -129,6 +132,7 @@ void give_shared_edits(ViewerState& state) {
     if (shared.views) give(ChangeViews{*shared.views});
     const bool lacks_some = lacks_edited_spheres(state);
     if (lacks_some) document.mark_unsaved();
+    state.player.edits.given_revision = document.revision();
     state.autosave.shows_frame(document, lacks_some);
 }
 

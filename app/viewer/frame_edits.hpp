@@ -20,6 +20,7 @@ struct FrameEdits {
     std::shared_ptr<const Scene> before{};  // the frame that is shown, without edits; null while it has none. No properties
     EditsReach judged = EditsReach::none;   // of this revision of the document
     std::uint64_t judged_revision = 0;
+    std::uint64_t given_revision = 0;  // of the document that has got what is shared and no edit of its own
 };
 
 // To be called before an edit of the document, which may give spheres other numbers: remembers what the frame was.

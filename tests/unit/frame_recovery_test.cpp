@@ -94,6 +94,27 @@ TEST_F(FrameRecoveryTest, ASmallFramesChangesAreKeptBesideThoseThatItLacks) {
     EXPECT_TRUE(kept()[0].spheres[3].hidden);
 }
 
+// Else looking through frames of changing sizes would write a copy for each.
+TEST_F(FrameRecoveryTest, OnlyWhatIsNewIsKeptBeforeASmallerFrame) {
+    rename(4, "last");
+    show_frame(state, 0);
+    state.autosave.finish();
+    ASSERT_EQ(kept_sizes(), Sizes{5});
+    std::filesystem::remove_all(folder.path("state/sphereview"));
+    std::filesystem::create_directories(folder.path("state/sphereview"));
+    show_frame(state, 1);
+    show_frame(state, 0);
+    state.autosave.finish();
+    EXPECT_EQ(kept_sizes(), Sizes{}) << "written again";
+    show_frame(state, 1);
+    state.player.clock.play(PlayClock::Time{});
+    rename(3, "fourth");
+    show_frame(state, 2);
+    state.autosave.finish();
+    ASSERT_EQ(kept_sizes(), Sizes{5}) << "also while a film plays";
+    EXPECT_EQ(name_of(kept()[0], 3), "fourth");
+}
+
 TEST_F(FrameRecoveryTest, UndoInASmallFrameLosesNothingAtTheEnd) {
     std::vector<std::uint32_t> numbers(5);
     std::iota(numbers.begin(), numbers.end(), 0U);
