@@ -13,8 +13,9 @@ else()
         # GCC's optimiser warns falsely of the standard library's strings (restrict: GCC bug 105651) and, in GCC 14, of Boost's integers (the
         # other two). That their headers are SYSTEM does not silence it. The sanitizers look for such faults.
         $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow> $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>
-        # A seventh of the time to compile: below two gigabytes GCC looks for no memory that it could give back to itself.
-        $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=2097152>
+        # A tenth of the time to compile, or a seventh: below half a gigabyte, or two, GCC looks for no memory that it could give back to
+        # itself. Who builds the tests has the memory.
+        $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=$<IF:$<BOOL:${SPHEREVIEW_TESTS}>,2097152,524288>>
         # Part of -Wconversion for Clang alone.
         $<$<CXX_COMPILER_ID:Clang,AppleClang>:-Wno-sign-conversion>
         # Where one source of a unity build follows another, a local name may be that of the other's helper, and what is included is
