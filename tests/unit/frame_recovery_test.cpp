@@ -1,17 +1,9 @@
 // What is kept of changes that are for all frames, where frames are of several sizes.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <numeric>
 
-#include "support/environment.hpp"
-#include "support/temporary_folder.hpp"
-#include "viewer/command_table.hpp"
-#include "viewer/frame_player.hpp"
-#include "viewer/perform.hpp"
-#include "viewer/scene_file.hpp"
-#include "viewer/scene_saving.hpp"
+#include "unit/frames_in_viewer.hpp"
 
 namespace sphereview {
 
@@ -20,20 +12,10 @@ namespace {
 using namespace std::chrono_literals;
 
 // Frames of 2, 5, 3 and 1 atoms; that of 5 is shown.
-struct FrameRecoveryTest : testing::Test {
+struct FrameRecoveryTest : FramesInViewer {
     FrameRecoveryTest() {
-        std::string text;
-        for (const int size : {2, 5, 3, 1}) {
-            text += std::to_string(size) + "\n\n";
-            for (int i = 0; i < size; ++i) text += "O " + std::to_string(3 * i) + " 0 100\n";
-        }
-        const std::string path = folder.write("a.xyz", text);
-        adopt(state, load_scene(path, load_options(state, path, 0)), path);
+        open(sized_frames({2, 5, 3, 1}));
         show_frame(state, 1);
-    }
-    ~FrameRecoveryTest() override {
-        state.autosave.finish();
-        remove_own_recovery();
     }
 
     void rename(std::uint32_t number, const std::string& name) { apply(state, {RenameSphere{number, name}, "Rename"}); }
@@ -58,11 +40,6 @@ struct FrameRecoveryTest : testing::Test {
         for (const Scene& scene : kept()) sizes.push_back(scene.spheres.size());
         return sizes;
     }
-
-    test::TemporaryFolder folder;
-    test::Variable folder_of_state{"XDG_STATE_HOME", folder.path("state")};
-    ViewerState state{ViewOptions{}, ViewerSettings{}};
-    Autosave::Clock::time_point now = Autosave::Clock::now();
 };
 
 using Sizes = std::vector<std::size_t>;

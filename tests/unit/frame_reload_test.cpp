@@ -1,0 +1,84 @@
+// Frames of a file that changes on disk while they are shown.
+#include <algorithm>
+
+#include "unit/frames_in_viewer.hpp"
+
+namespace sphereview {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+struct FrameReloadTest : FramesInViewer {};
+
+}  // namespace
+
+// What the file holds now is what is played.
+TEST_F(FrameReloadTest, AReloadKeepsPlayingAndForgetsWhatOthersGot) {
+    edit(0, [](Sphere& s) { s.hidden = true; });
+    run(CommandId::next_frame);
+    EXPECT_TRUE(sphere(0).hidden);
+    play();
+    replace_file(moved_frames(7));
+    EXPECT_EQ(state.frames, 7);
+    EXPECT_TRUE(plays());
+    EXPECT_FALSE(sphere(0).hidden);
+    EXPECT_EQ(next(50ms), FrameNews::frame);
+    EXPECT_FALSE(sphere(0).hidden);
+}
+
+// As a simulation leaves it that begins again.
+TEST_F(FrameReloadTest, AFileThatHasBecomeShorterIsShownFromItsNewLastFrame) {
+    run(CommandId::last_frame);
+    EXPECT_EQ(state.frame, 4);
+    replace_file(moved_frames(3));
+    EXPECT_EQ(state.messages.scene_error, "");
+    EXPECT_TRUE(state.dialogs.empty());
+    EXPECT_EQ(state.frames, 3);
+    EXPECT_EQ(state.frame, 2);
+    EXPECT_EQ(sphere(0).center.x, 2.0);
+    run(CommandId::previous_frame);
+    EXPECT_EQ(state.frame, 1);
+    EXPECT_TRUE(state.dialogs.empty());
+    replace_file("2\n\nO 0 x 1\nH 0 0 1\n");
+    EXPECT_NE(state.messages.scene_error, "") << "a broken file is no shorter one";
+    EXPECT_EQ(state.frame, 1);
+}
+
+TEST_F(FrameReloadTest, AFileThatBecomesShorterWhileItPlaysIsNoFault) {
+    show_frame(state, 3);
+    run(CommandId::loop);
+    play();
+    folder.write("a.xyz", moved_frames(2));
+    EXPECT_TRUE(test::eventually([&] {
+        now += 50ms;
+        follow_player(state, now, false);
+        EXPECT_LT(state.frame, state.frames);
+        look_at_file(state);
+        finish_work(state);
+        return state.frames == 2 && !state.loading;
+    }));
+    EXPECT_TRUE(state.dialogs.empty());
+    EXPECT_TRUE(plays());
+    EXPECT_EQ(next(50ms), FrameNews::frame);
+    EXPECT_LT(state.frame, 2);
+}
+
+TEST_F(FrameReloadTest, AReloadWhileItPlaysKeepsTheColoursByAProperty) {
+    color_by_charge();
+    play();
+    EXPECT_EQ(next(50ms), FrameNews::frame);
+    std::string text = moved_frames(8);
+    std::ranges::replace(text, 'O', 'N');
+    replace_file(text);
+    EXPECT_EQ(state.frames, 8);
+    EXPECT_NEAR(static_cast<double>(sphere(0).color.r), 255.0 / 8.0, 1.0);
+    for (int frame = 2; frame < 5; ++frame) {
+        EXPECT_EQ(next(50ms), FrameNews::frame);
+        EXPECT_NEAR(static_cast<double>(sphere(0).color.r), frame * 255.0 / 8.0, 1.0) << frame;
+        EXPECT_FALSE(state.document.is_changed());
+    }
+    EXPECT_EQ(state.side_panel.look.colors.property, "charge");
+}
+
+}  // namespace sphereview
