@@ -1,6 +1,7 @@
 #include "viewer/frame_edits.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/error.hpp"
 #include "viewer/frame_player.hpp"
@@ -26,6 +27,10 @@ bool same_besides(const Scene& before, const Scene& after) {
     return std::ranges::equal(before.spheres, after.spheres, same) && before.names == after.names &&
            before.background == after.background && same_bits(before.camera, after.camera) &&
            same_bits(before.light, after.light) && before.views == after.views;
+}
+
+void note_numbers(ViewerState& state) {
+    state.player.edits.numbers_order = has_numbers_of_file(state) ? state.document.order_revision() : 0;
 }
 
 // The frame before its edits as it would be with the colours and sizes by a property that are chosen now: other frames get these by
@@ -71,8 +76,8 @@ void note_frame_before_edit(ViewerState& state, bool renumbers) {
 // Undoing a deletion brings the numbers back, but no revision.
 bool has_numbers_of_file(const ViewerState& state) {
     if (state.document.order_revision() == state.file_order) return true;
-    const auto& before = state.player.edits.before;
-    return before && same_places(*before, state.scene());
+    const FrameEdits& edits = state.player.edits;
+    return edits.before && (state.document.order_revision() == edits.numbers_order || same_places(*edits.before, state.scene()));
 }
 
 EditsReach reach_of_edits(ViewerState& state) {
@@ -81,15 +86,36 @@ EditsReach reach_of_edits(ViewerState& state) {
     if (edits.judged_revision == state.document.revision()) return edits.judged;
     edits.judged_revision = state.document.revision();
     const bool is_as_read = same_besides(*edits.before, state.scene()) && !lacks_edited_spheres(state);
-    edits.judged = !same_places(*edits.before, state.scene()) ? EditsReach::this_frame
-                   : is_as_read                               ? EditsReach::none
-                                                              : EditsReach::all_frames;
+    edits.judged = edits.outdated || !same_places(*edits.before, state.scene()) ? EditsReach::this_frame
+                   : is_as_read                                                 ? EditsReach::none
+                                                                                : EditsReach::all_frames;
     return edits.judged;
 }
 
 bool lacks_edited_spheres(const ViewerState& state) {
     const FrameEdits& edits = state.player.edits;
     return edits.before && edits.shared.go_beyond(edits.before->spheres.size());
+}
+
+void note_edits_before_reload(ViewerState& state, const Scene& reloaded) {
+    note_frame_before_edit(state, false);
+    EditsBeyondReloads& reloads = state.player.reloads;
+    reloads.edits.resize(reloads.done++);
+    note_numbers(state);
+    if (state.player.edits.before && !same_besides(with_chosen_look(state), reloaded)) {
+        state.player.edits.outdated = true;
+        for (FrameEdits& earlier : reloads.edits) earlier.outdated = true;
+    }
+    reloads.edits.push_back(std::exchange(state.player.edits, {}));
+}
+
+void cross_reload(ViewerState& state, bool undoes, const std::function<void()>& step) {
+    FramePlayer& player = state.player;
+    note_numbers(state);
+    step();
+    std::swap(player.edits, player.reloads.edits.at(undoes ? --player.reloads.done : player.reloads.done++));
+    if (player.edits.numbers_order != 0) player.edits.numbers_order = state.document.order_revision();
+    state.autosave.shows_frame(state.document, lacks_edited_spheres(state));
 }
 
 void take_shared_edits(ViewerState& state, std::size_t next_size) {
@@ -100,6 +126,8 @@ void take_shared_edits(ViewerState& state, std::size_t next_size) {
         state.autosave.keep_before_reading(state.document, state.path);
     }
     edits.before.reset();
+    state.player.reloads = {};
+    edits.outdated = false;
 }
 
 void give_shared_edits(ViewerState& state) {

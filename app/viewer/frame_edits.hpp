@@ -4,7 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <vector>
 
 #include "app/frame_changes.hpp"
 #include "panels/timeline.hpp"
@@ -21,6 +23,16 @@ struct FrameEdits {
     EditsReach judged = EditsReach::none;   // of this revision of the document
     std::uint64_t judged_revision = 0;
     std::uint64_t given_revision = 0;  // of the document that has got what is shared and no edit of its own
+    std::uint64_t numbers_order =
+        0;                  // the document's order_revision() in which an undone or redone reload left numbers as in `before`
+    bool outdated = false;  // the file has the frame otherwise by now: a reload was undone
+};
+
+// Of the reloads of the file that undo and redo can reach: what the frames' edits are on the other side of each. The first `done`
+// of them are not undone.
+struct EditsBeyondReloads {
+    std::vector<FrameEdits> edits{};
+    std::size_t done = 0;
 };
 
 // To be called before an edit of the document, which may give spheres other numbers: remembers what the frame was.
@@ -39,6 +51,12 @@ FrameChanges shared_edits_now(ViewerState& state);
 // Whether some of that is for spheres that the frame that is shown lacks: the window has it, and no scene that is saved of this
 // frame.
 bool lacks_edited_spheres(const ViewerState& state);
+
+// The frame that is shown is about to be replaced by what its file holds now, which has nothing of the edits: notes how they are,
+// for who undoes that.
+void note_edits_before_reload(ViewerState& state, const Scene& reloaded);
+// That is to be undone, or redone, by `step`: so are the edits of all frames.
+void cross_reload(ViewerState& state, bool undoes, const std::function<void()>& step);
 
 // Another frame, of so many spheres, is about to be shown: takes along what the present one shares.
 void take_shared_edits(ViewerState& state, std::size_t next_size);

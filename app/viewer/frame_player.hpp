@@ -40,6 +40,7 @@ struct FramePlayer {
     std::int64_t step = 0;                    // the last one, 1 or -1; 0: it went farther
     std::optional<std::uint64_t> given_up{};  // the document's revision of which edits may be lost
     FrameEdits edits{};
+    EditsBeyondReloads reloads{};
     std::set<std::string> said{};  // what the readers had to say of frames: once while a film plays
 };
 

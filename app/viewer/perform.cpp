@@ -27,12 +27,19 @@ void show_scene_camera(ViewerState& state) {
     state.camera = state.scene().camera;
 }
 
-// An undo or redo, which may move the view and has a name.
-void take_step(ViewerState& state, bool moves_view, const std::string& name, Touched (Document::*step)()) {
+void take_step(ViewerState& state, bool undoes) {
+    Document& document = state.document;
     note_frame_before_edit(state, false);
+    const bool moves_view = undoes ? document.undo_moves_view() : document.redo_moves_view();
     const bool follows = moves_view && state.inspected_camera() == state.scene().camera;
-    const bool is_look = state.look_steps.contains(name);
-    const Touched touched = (state.document.*step)();
+    const bool is_look = state.look_steps.contains(undoes ? document.undo_name() : document.redo_name());
+    Touched touched;
+    const auto step = [&] { touched = undoes ? document.undo() : document.redo(); };
+    if (undoes ? document.undo_replaces_scene() : document.redo_replaces_scene()) {
+        cross_reload(state, undoes, step);
+    } else {
+        step();
+    }
     if (!is_look) select_touched(state, touched);
     if (follows) show_scene_camera(state);
 }
@@ -41,12 +48,12 @@ void take_step(ViewerState& state, bool moves_view, const std::string& name, Tou
 
 void undo(ViewerState& state) {
     const Touched before = state.document.selected_before_undo_step();
-    take_step(state, state.document.undo_moves_view(), state.document.undo_name(), &Document::undo);
+    take_step(state, true);
     // Spheres that were added are gone; what they were made of, or what else was selected, is in hand again.
     if (!before.empty()) state.selection.set(before);
 }
 
-void redo(ViewerState& state) { take_step(state, state.document.redo_moves_view(), state.document.redo_name(), &Document::redo); }
+void redo(ViewerState& state) { take_step(state, false); }
 
 void apply(ViewerState& state, EditScene action) {
     const bool adds_or_removes =

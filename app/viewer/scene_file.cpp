@@ -133,11 +133,15 @@ std::vector<FileKind> read_kinds() {
 
 void reload(ViewerState& state, LoadedScene loaded) {
     state.format = loaded.format;
+    const bool differs = loaded.scene != state.scene();
+    if (differs) note_edits_before_reload(state, loaded.scene);
     const PlayClock clock = state.player.clock;
+    EditsBeyondReloads reloads = std::move(state.player.reloads);
     begin_frames(state, loaded);
     state.player.clock = clock;
+    state.player.reloads = std::move(reloads);
     state.frame = std::min(state.frame, state.frames - 1);  // the file may have become shorter
-    if (loaded.scene != state.scene()) {
+    if (differs) {
         state.document.apply(ReplaceScene{std::move(loaded.scene)}, "Reload of " + in_quotes(state.name()));
         state.selection.keep_below(state.scene().spheres.size());
         state.hovered.reset();

@@ -20,16 +20,20 @@ const std::string& name_of(const HistoryStep* step) {
     return step == nullptr ? none : step->name;
 }
 
-bool moves_view(const HistoryStep* step) {
-    return step != nullptr && std::ranges::any_of(step->edits, [](const Edit& edit) {
-               const auto* camera = std::get_if<ChangeCamera>(&edit);
-               return camera != nullptr && camera->moves_view;
-           });
+bool has_any(const HistoryStep* step, bool (*wanted)(const Edit&)) {
+    return step != nullptr && std::ranges::any_of(step->edits, wanted);
 }
+
+bool moves_view(const Edit& edit) {
+    const auto* camera = std::get_if<ChangeCamera>(&edit);
+    return camera != nullptr && camera->moves_view;
+}
+
+bool replaces_scene(const Edit& edit) { return std::holds_alternative<ReplaceScene>(edit); }
 
 bool changes_order(const Edit& edit) {
     return std::holds_alternative<InsertSpheres>(edit) || std::holds_alternative<RemoveSpheres>(edit) ||
-           std::holds_alternative<ReorderSphere>(edit) || std::holds_alternative<ReplaceScene>(edit);
+           std::holds_alternative<ReorderSphere>(edit) || replaces_scene(edit);
 }
 
 bool changes_names(const Edit& edit) { return changes_order(edit) || std::holds_alternative<RenameSphere>(edit); }
@@ -47,8 +51,11 @@ std::vector<std::uint32_t> Document::selected_before_undo_step() const {
     return step == nullptr ? std::vector<std::uint32_t>{} : step->selected;
 }
 
-bool Document::undo_moves_view() const { return moves_view(history_.last_done()); }
-bool Document::redo_moves_view() const { return moves_view(history_.last_undone()); }
+bool Document::undo_moves_view() const { return has_any(history_.last_done(), moves_view); }
+bool Document::redo_moves_view() const { return has_any(history_.last_undone(), moves_view); }
+bool Document::undo_replaces_scene() const { return has_any(history_.last_done(), replaces_scene); }
+bool Document::redo_replaces_scene() const { return has_any(history_.last_undone(), replaces_scene); }
+bool Document::redo_changes_order() const { return has_any(history_.last_undone(), changes_order); }
 
 void Document::advance(LoggedChange change) {
     log_.add(revision_, std::move(change));

@@ -57,6 +57,11 @@ public:
     // Whether that step changed the camera of a view that showed it.
     bool undo_moves_view() const;
     bool redo_moves_view() const;
+    // Whether it makes everything another scene (ReplaceScene).
+    bool undo_replaces_scene() const;
+    bool redo_replaces_scene() const;
+    // Whether it may change which sphere a number means.
+    bool redo_changes_order() const;
     // What the steps to undo take, about, and what they may take; those to redo may take as much again.
     std::size_t history_bytes() const { return history_.bytes(); }
     std::size_t most_history_bytes() const { return history_.most_bytes(); }

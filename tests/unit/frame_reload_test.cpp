@@ -27,6 +27,52 @@ TEST_F(FrameReloadTest, AReloadKeepsPlayingAndForgetsWhatOthersGot) {
     EXPECT_FALSE(sphere(0).hidden);
 }
 
+TEST_F(FrameReloadTest, UndoingAReloadBringsTheChangesOfAllFramesBack) {
+    edit(0, [](Sphere& s) { s.color = {1, 2, 3}; });
+    run(CommandId::next_frame);
+    edit(1, [](Sphere& s) { s.hidden = true; });
+    const auto expect_changes = [&](bool changed) {
+        for (const CommandId step : {CommandId::next_frame, CommandId::previous_frame}) {
+            run(step);
+            EXPECT_TRUE(state.dialogs.empty());
+            EXPECT_EQ(sphere(0).color == (Color{1, 2, 3}), changed) << state.frame;
+            EXPECT_EQ(sphere(1).hidden, changed) << state.frame;
+            EXPECT_EQ(state.document.is_changed(), changed);
+        }
+    };
+    replace_file(moved_frames(6));
+    undo(state);
+    redo(state);
+    EXPECT_EQ(reach_of_edits(state), EditsReach::none);
+    undo(state);
+    EXPECT_EQ(reach_of_edits(state), EditsReach::all_frames);
+    expect_changes(true);
+    replace_file(moved_frames(7));
+    replace_file(moved_frames(8));
+    expect_changes(false);
+}
+
+// What the file holds by now is nowhere else, and what was changed of it is for all frames all the same.
+TEST_F(FrameReloadTest, UndoingAReloadThatMovedTheSpheresLeavesACopyOfThisFrame) {
+    edit(0, [](Sphere& s) { s.center.y = 5.0; });
+    edit(0, [](Sphere& s) { s.hidden = true; });
+    std::string text = moved_frames(5);
+    for (std::size_t at = 0; (at = text.find(" 100 ", at)) != std::string::npos; ++at) text.replace(at, 5, " 200 ");
+    replace_file(text);
+    undo(state);
+    EXPECT_EQ(sphere(0).center.z, 100.0);
+    EXPECT_EQ(reach_of_edits(state), EditsReach::this_frame);
+    edit(1, [](Sphere& s) { s.radius = 0.125; });
+    run(CommandId::next_frame);
+    ASSERT_NE(question(), nullptr);
+    EXPECT_EQ(question()->id, "save-changes");
+    answer(1);
+    EXPECT_EQ(sphere(0).center, glm::dvec3(1.0, 0.0, 200.0));
+    EXPECT_TRUE(sphere(0).hidden);
+    EXPECT_EQ(sphere(1).radius, 0.125);
+    EXPECT_EQ(reach_of_edits(state), EditsReach::all_frames);
+}
+
 // As a simulation leaves it that begins again.
 TEST_F(FrameReloadTest, AFileThatHasBecomeShorterIsShownFromItsNewLastFrame) {
     run(CommandId::last_frame);
