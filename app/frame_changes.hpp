@@ -33,6 +33,7 @@ struct FrameChanges {
     std::optional<Light> light{};
     std::optional<std::vector<SavedView>> views{};
 
+    bool operator==(const FrameChanges&) const = default;
     bool any() const { return !spheres.empty() || !names.empty() || background || camera || light || views; }
     // Whether a frame of so many spheres lacks some that were changed.
     bool go_beyond(std::size_t size) const;

@@ -33,6 +33,12 @@ void note_numbers(ViewerState& state) {
     state.player.edits.numbers_order = has_numbers_of_file(state) ? state.document.order_revision() : 0;
 }
 
+// The changes of the frame, and for spheres that it lacks those of others.
+FrameChanges with_others(FrameChanges of_frame, std::size_t size, const FrameChanges& others) {
+    of_frame.add_beyond(size, others);
+    return of_frame;
+}
+
 // The frame before its edits as it would be with the colours and sizes by a property that are chosen now: other frames get these by
 // their own values.
 Scene with_chosen_look(ViewerState& state) {
@@ -51,15 +57,51 @@ Scene with_chosen_look(ViewerState& state) {
     return scene;
 }
 
+// Redoes what holds by number in other frames, as colours by a property do not.
+std::optional<FrameChanges> redone_edits(ViewerState& state) {
+    const FrameEdits& edits = state.player.edits;
+    Document& document = state.document;
+    if (!edits.before || !has_numbers_of_file(state) || (!edits.redone && !document.can_redo())) return std::nullopt;
+    const Scene before = with_chosen_look(state);
+    while (document.can_redo() && !document.redo_changes_order() && !state.look_steps.contains(document.redo_name()))
+        document.redo();
+    return with_others(changes_between(before, document.scene()), before.spheres.size(), edits.redone.value_or(edits.shared));
+}
+
+// As one step; whether there is anything to change.
+bool give(ViewerState& state, const FrameChanges& changes) {
+    Document& document = state.document;
+    const std::uint64_t before = document.revision();
+    const std::uint64_t gesture = ++state.gesture;
+    const auto apply = [&](Edit edit) { document.apply(std::move(edit), "Changes of all frames", gesture); };
+    const std::size_t size = document.scene().spheres.size();
+    ChangeSpheres change;
+    for (const SphereChange& one : changes_within(changes, size)) {
+        Sphere sphere = document.scene().spheres[one.number];
+        sphere.color = one.color.value_or(sphere.color);
+        sphere.radius = one.radius.value_or(sphere.radius);
+        sphere.hidden = one.hidden.value_or(sphere.hidden);
+        change.numbers.push_back(one.number);
+        change.spheres.push_back(sphere);
+    }
+    if (!change.numbers.empty()) apply(std::move(change));
+    for (const auto& [number, name] : changes.names) {
+        if (number < size) apply(RenameSphere{number, name});
+    }
+    if (changes.background) apply(ChangeBackground{*changes.background});
+    if (changes.camera) apply(ChangeCamera{*changes.camera});
+    if (changes.light) apply(ChangeLight{*changes.light});
+    if (changes.views) apply(ChangeViews{*changes.views});
+    return document.revision() != before;
+}
+
 }  // namespace
 
 FrameChanges shared_edits_now(ViewerState& state) {
     const FrameEdits& edits = state.player.edits;
     // Once spheres have come, gone or changed places no number tells anything: what was noted before that stays.
     if (!edits.before || !has_numbers_of_file(state)) return edits.shared;
-    FrameChanges shared = changes_between(with_chosen_look(state), state.scene());
-    shared.add_beyond(state.scene().spheres.size(), edits.shared);
-    return shared;
+    return with_others(changes_between(with_chosen_look(state), state.scene()), state.scene().spheres.size(), edits.shared);
 }
 
 void note_frame_before_edit(ViewerState& state, bool renumbers) {
@@ -120,47 +162,34 @@ void cross_reload(ViewerState& state, bool undoes, const std::function<void()>& 
 
 void take_shared_edits(ViewerState& state, std::size_t next_size) {
     FrameEdits& edits = state.player.edits;
-    edits.shared = shared_edits_now(state);
+    FrameChanges shared = shared_edits_now(state);
     // What it got from others is kept already.
-    if (edits.shared.go_beyond(next_size) && state.document.revision() != edits.given_revision) {
+    if (shared.go_beyond(next_size) && state.document.revision() != edits.given_revision) {
         state.autosave.keep_before_reading(state.document, state.path);
     }
+    edits.redone = redone_edits(state);
+    if (edits.redone == shared) edits.redone.reset();
+    edits.shared = std::move(shared);
     edits.before.reset();
     state.player.reloads = {};
     edits.outdated = false;
 }
 
 void give_shared_edits(ViewerState& state) {
-    const FrameChanges& shared = state.player.edits.shared;
+    FrameEdits& edits = state.player.edits;
     Document& document = state.document;
-    if (!shared.any()) {
-        state.player.edits.given_revision = document.revision();
-        return state.autosave.shows_frame(document, false);
+    if (edits.shared.any() || edits.redone) note_frame_before_edit(state, false);
+    std::optional<Scene> redone;
+    if (edits.redone) {
+        give(state, *edits.redone);
+        redone = without_properties(state.scene());
+        document.undo();
     }
-    note_frame_before_edit(state, false);
-    const std::uint64_t gesture = ++state.gesture;
-    const auto give = [&](Edit edit) { document.apply(std::move(edit), "Changes of all frames", gesture); };
-    const std::size_t size = document.scene().spheres.size();
-    ChangeSpheres change;
-    for (const SphereChange& one : changes_within(shared, size)) {
-        Sphere sphere = document.scene().spheres[one.number];
-        sphere.color = one.color.value_or(sphere.color);
-        sphere.radius = one.radius.value_or(sphere.radius);
-        sphere.hidden = one.hidden.value_or(sphere.hidden);
-        change.numbers.push_back(one.number);
-        change.spheres.push_back(sphere);
-    }
-    if (!change.numbers.empty()) give(std::move(change));
-    for (const auto& [number, name] : shared.names) {
-        if (number < size) give(RenameSphere{number, name});
-    }
-    if (shared.background) give(ChangeBackground{*shared.background});
-    if (shared.camera) give(ChangeCamera{*shared.camera});
-    if (shared.light) give(ChangeLight{*shared.light});
-    if (shared.views) give(ChangeViews{*shared.views});
+    give(state, edits.shared);
+    if (redone && give(state, changes_between(state.scene(), *redone))) document.undo();
     const bool lacks_some = lacks_edited_spheres(state);
     if (lacks_some) document.mark_unsaved();
-    state.player.edits.given_revision = document.revision();
+    edits.given_revision = document.revision();
     state.autosave.shows_frame(document, lacks_some);
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/frame_changes.hpp"
@@ -19,6 +20,7 @@ struct ViewerState;
 // What the viewer remembers of the edits of frames.
 struct FrameEdits {
     FrameChanges shared{};                  // of the frames that were shown before
+    std::optional<FrameChanges> redone{};   // what that would be if all was redone that is undone and can be: where it is another
     std::shared_ptr<const Scene> before{};  // the frame that is shown, without edits; null while it has none. No properties
     EditsReach judged = EditsReach::none;   // of this revision of the document
     std::uint64_t judged_revision = 0;
@@ -58,9 +60,10 @@ void note_edits_before_reload(ViewerState& state, const Scene& reloaded);
 // That is to be undone, or redone, by `step`: so are the edits of all frames.
 void cross_reload(ViewerState& state, bool undoes, const std::function<void()>& step);
 
-// Another frame, of so many spheres, is about to be shown: takes along what the present one shares.
+// Another frame, of so many spheres, is about to be shown, and the document to be replaced: takes along what the present one
+// shares, and what it would share if what is undone was redone. Leaves the document in any state.
 void take_shared_edits(ViewerState& state, std::size_t next_size);
-// Another frame is the document now: it gets what was taken along, as a step that can be undone.
+// Another frame is the document now: it gets what was taken along, as a step that can be undone, and one that can be redone.
 void give_shared_edits(ViewerState& state);
 
 }  // namespace sphereview

@@ -295,9 +295,9 @@ void ask_for_scene(ViewerState& state) {
 }
 
 void adopt_frame(ViewerState& state, std::int64_t frame, LoadedScene loaded, const FileStates& stamp) {
-    take_shared_edits(state, loaded.scene.spheres.size());
     const bool same_spheres = loaded.scene.spheres.size() == state.scene().spheres.size();
     const bool measures = state.measuring.revision == state.document.names_revision();
+    take_shared_edits(state, loaded.scene.spheres.size());
     state.document = Document(std::move(loaded.scene));
     note_properties(state, loaded);
     state.bounds_revision = 0;

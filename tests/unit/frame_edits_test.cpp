@@ -62,6 +62,72 @@ TEST_F(FrameEditsTest, WhatIsNoPlaceGoesAlong) {
     EXPECT_FALSE(state.document.is_changed());
 }
 
+TEST_F(FrameEditsTest, WhatIsUndoneCanBeRedoneInAnotherFrame) {
+    const auto look_through = [&] {
+        for (const CommandId step : {CommandId::last_frame, CommandId::previous_frame}) run(step);
+        EXPECT_EQ(sphere(0).center.x, 3.0);
+        EXPECT_EQ(sphere(0).center.y, 0.0);
+        EXPECT_TRUE(state.dialogs.empty());
+    };
+    edit(0, [](Sphere& s) { s.color = {1, 2, 3}; });
+    edit(0, [](Sphere& s) { s.color = {4, 5, 6}; });
+    apply(state, {RenameSphere{1, "proton"}, "Rename"});
+    edit(0, [](Sphere& s) { s.center.y = 5.0; });
+    run(CommandId::add_sphere);
+    for (int i = 0; i < 4; ++i) undo(state);
+    look_through();
+    EXPECT_EQ(sphere(0).color, (Color{1, 2, 3}));
+    EXPECT_EQ(name_of(state.scene(), 1), "H");
+    EXPECT_EQ(state.document.redo_name(), "Changes of all frames");
+    undo(state);
+    EXPECT_FALSE(state.document.is_changed());
+    look_through();
+    EXPECT_NE(sphere(0).color, (Color{1, 2, 3}));
+    EXPECT_FALSE(state.document.is_changed());
+    redo(state);
+    EXPECT_FALSE(state.document.can_redo()) << "a place, and a sphere that was added, are of the other frame";
+    look_through();
+    EXPECT_EQ(sphere(0).color, (Color{4, 5, 6}));
+    EXPECT_EQ(name_of(state.scene(), 1), "proton");
+    EXPECT_FALSE(state.document.can_redo());
+    // An edit ends it, in whatever frame.
+    undo(state);
+    run(CommandId::next_frame);
+    edit(1, [](Sphere& s) { s.hidden = true; });
+    run(CommandId::previous_frame);
+    EXPECT_FALSE(state.document.can_redo());
+}
+
+TEST_F(FrameEditsTest, WhatASmallFrameCannotRedoOthersCan) {
+    open(sized_frames({2, 1, 2}));
+    edit(0, [](Sphere& s) { s.color = {1, 2, 3}; });
+    edit(1, [](Sphere& s) { s.hidden = true; });
+    undo(state);
+    show_frame(state, 1);
+    EXPECT_EQ(sphere(0).color, (Color{1, 2, 3}));
+    EXPECT_FALSE(state.document.can_redo());
+    show_frame(state, 2);
+    EXPECT_FALSE(sphere(1).hidden);
+    redo(state);
+    EXPECT_TRUE(sphere(1).hidden);
+    undo(state);
+    show_frame(state, 1);
+    edit(0, [](Sphere& s) { s.radius = 0.125; });
+    show_frame(state, 2);
+    EXPECT_FALSE(state.document.can_redo()) << "something else was done since";
+}
+
+// Sizes and colours by a property are made anew of each frame's own values.
+TEST_F(FrameEditsTest, AnUndoneLookIsRedoneInItsFrameAlone) {
+    edit(1, [](Sphere& s) { s.hidden = true; });
+    state.look_steps.insert("Colour");
+    color_by_charge();
+    undo(state);
+    run(CommandId::next_frame);
+    EXPECT_FALSE(state.document.can_redo());
+    EXPECT_TRUE(sphere(1).hidden);
+}
+
 TEST_F(FrameEditsTest, ChangesStayWithTheNumberInFramesOfAllSizes) {
     open(sized_frames({2, 1, 3, 2}));
     edit(1, [](Sphere& s) { s.hidden = true; });
