@@ -63,6 +63,7 @@ struct ConvertOptions {
     DataOptions data;
     LookOptions look{};
     FitOptions fit;  // of the camera that is written
+    bool verbose = false;
 };
 
 struct ExplainOptions {
