@@ -54,6 +54,9 @@ struct RenderOptions {
     bool timings = false;
     bool json = false;
     bool verbose = false;
+
+    // Whether the pictures are a film on standard output.
+    bool streams_film() const { return frames.several() && output == standard_stream; }
 };
 
 struct ConvertOptions {

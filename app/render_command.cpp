@@ -52,8 +52,8 @@ void leave_out_existing(std::vector<RenderJob>& jobs, const RenderOptions& optio
     }
     const std::size_t all = jobs.size();
     std::erase_if(jobs, [&](const RenderJob& job) {
-        return job.output && is_whole_png(*job.output, options.size.width, options.size.height) &&
-               (manifest == nullptr || manifest->has(*job.output));
+        return job.output && (manifest != nullptr ? manifest->has(*job.output)
+                                                  : is_whole_png(*job.output, options.size.width, options.size.height));
     });
     if (options.verbose) say(in_groups(all - jobs.size()) + " of " + in_groups(all) + " pictures are there already");
 }
@@ -84,14 +84,16 @@ ExitCode run_render(const RenderOptions& asked_for) {
     const ExitCode best = is_damaged ? ExitCode::bad_input : ExitCode::done;
     if (jobs.empty()) return best;
     std::optional<Film> film;
-    const bool is_streamed = options.frames.several() && options.output == standard_stream;
-    if (options.film.movie || is_streamed) film.emplace(options.film, options.durability, jobs.size());
+    if (options.film.movie || options.streams_film()) film.emplace(options.film, options.durability, jobs.size());
     std::optional<InterruptibleFilm> interruptible;
     if (options.film.movie) interruptible.emplace(*film);
     if (!prepares_first) prepare();
     const RenderSinks sinks{film ? &*film : nullptr, manifest ? &*manifest : nullptr};
     const ExitCode status = run_jobs(options, jobs, sinks, progress);
     if (film && status == ExitCode::done) film->finish();
+    for (const auto& sequence : sequences) {
+        if (const std::string beyond = sequence->values_beyond_range(); !beyond.empty()) say(beyond);
+    }
     return std::max(status, best);
 }
 

@@ -89,6 +89,7 @@ SphereData read_pdb_frame(const TextSource& source, const DataOptions& options, 
     }
     if (std::string interrupted = fault_of_interrupted_model(source, frame); !interrupted.empty()) {
         data.warnings.push_back(std::move(interrupted));
+        data.cut_frame = frame.interrupted->frame;
     }
     return data;
 }
