@@ -75,6 +75,29 @@ TEST_F(DamagedFrames, DoNotStopTheOthersThatOneCameraSees) {
     EXPECT_TRUE(fails(render({"a.xyz", "--frames", "all", "-s", "9x9", "-o", "-"}), 2, fault));
 }
 
+TEST_F(DamagedFrames, SayOnceWhatSeveralHaveWrong) {
+    const std::string without = "1\nProperties=species:S:1:pos:R:3\nO 0 0 0\n";
+    folder_.write("a.xyz", "1\nProperties=species:S:1:pos:R:3:q:R:1\nO 0 0 0 1\n" + without + without);
+    EXPECT_EQ(made("a.xyz", "all", {"--size-by", "q"}),
+              "2; 0; a.xyz: radii by q: 1 times the value\n"
+              "a.xyz: found no property 'q', expected one that the file has, element, or x, y, z or radius\n"
+              "sphereview: 2 of 3 pictures failed: a.xyz, 1; a.xyz, 2\n");
+}
+
+TEST_F(DamagedFrames, OfOneSceneStopNoOtherScene) {
+    folder_.write("a.xyz", moving_atom(2));
+    folder_.write("b.xyz", "1\n\nO x 0 0\n" + moving_atom(2));
+    folder_.write("c.xyz", moving_atom(1));
+    const std::string lacks = "c.xyz: found 1 frame, number 0, expected frame 1\n";
+    for (const char* skip : {"--no-sync", "--skip-existing"}) {
+        const Outcome outcome = render({"c.xyz", "b.xyz", "a.xyz", "--frames", "0,1", "-s", "9x9", "--manifest", "made.jsonl", "-o",
+                                        "out/{name}{frame}", skip});
+        EXPECT_EQ(outcome.status, 2) << outcome;
+        EXPECT_EQ(outcome.errors, lacks + "b.xyz:3:3: found 'x', expected the x of atom 1 of 1, a number\n");
+    }
+    EXPECT_TRUE(folder_.has("out/a0.png") && folder_.has("out/a1.png") && !folder_.has("out/b1.png"));
+}
+
 #ifdef __linux__
 // The frames behind those that are in memory are gone: that is said once.
 TEST_F(DamagedFrames, AreLostTogetherWhereTheFileBecomesShorter) {
