@@ -155,6 +155,7 @@ void declare(CLI::App& command, ConvertOptions& options) {
     add_scene_options(command, options.data, options.fit);
     add_properties(command, options.data);
     add_look(command, options.look);
+    add_flag(command, options.verbose, "--verbose", "Say on stderr what was read, and what of it was passed over");
     command.footer(std::string(convert_examples) + exit_codes);
 }
 

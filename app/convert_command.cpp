@@ -5,6 +5,7 @@
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
 #include "base/standard_streams.hpp"
+#include "base/text.hpp"
 
 namespace sphereview {
 
@@ -27,6 +28,13 @@ ExitCode run_convert(const ConvertOptions& options) {
         return load_scene(options.input, {.progress = &progress, .data = options.data, .look = options.look, .fit = fit});
     }();
     say_warnings(loaded);
+    if (options.verbose) {
+        for (const std::string& note : loaded.notes) say(note);
+        const std::size_t count = loaded.scene.spheres.size();
+        const std::string frame = "frame " + std::to_string(options.data.frame) + " of " + std::to_string(loaded.frames) + ", ";
+        say(loaded.name + ": " + std::string(loaded.format.name) + ", " + (loaded.frames > 1 ? frame : "") + in_groups(count) +
+            (count == 1 ? " sphere" : " spheres"));
+    }
     require_properties(loaded, options.data);
     // What was read only for colours and sizes is not kept.
     const bool keeps_properties = options.data.all_properties || !options.data.properties.empty() || !loaded.format.is_data;

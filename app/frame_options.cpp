@@ -63,12 +63,11 @@ bool takes_value(const CLI::Option& option) { return option.get_items_expected_m
 // What a film cannot be.
 void check_film_options(const CLI::App& command, const RenderOptions& options) {
     const FrameOptions& frames = options.frames;
-    const bool is_streamed = frames.several() && options.output == standard_stream;
-    if (!options.film.movie && !is_streamed) {
+    if (!options.film.movie && !options.streams_film()) {
         if (find_option(command, "--fps")->count() > 0) wrong("--fps", "no film", "--movie, or -o - with several frames");
         return;
     }
-    if (options.film.movie && is_streamed) wrong("--movie", "--output -", "one of the two films");
+    if (options.film.movie && options.streams_film()) wrong("--movie", "--output -", "one of the two films");
     const std::string option = options.film.movie ? "--movie" : "--output";
     if (!frames.several()) throw CLI::ValidationError("--movie needs --frames or --turntable");
     if (options.scenes.size() != 1) wrong(option, std::to_string(options.scenes.size()) + " scenes", "one for a film");

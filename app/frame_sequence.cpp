@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "base/sha256.hpp"
+#include "base/text.hpp"
 #include "camera/fit.hpp"
 #include "formats/atoms.hpp"
 #include "light/light_set.hpp"
@@ -140,6 +141,18 @@ std::optional<std::string> FrameSequence::question_of_fit(const ViewAxes& axes) 
     return sha256(text);
 }
 
+// Null for a frame that is wrong, which the camera need not see: its own picture says so. A film has no picture without that.
+const LoadedScene* FrameSequence::read_to_fit(std::int64_t frame) {
+    try {
+        return &read(frame);
+    } catch (const ReadError&) {
+        throw;  // what is wrong with the file concerns all frames
+    } catch (const InputError&) {
+        if (options_.film.movie || options_.streams_film()) throw;
+        return nullptr;
+    }
+}
+
 // Sees everything in every shot.
 Camera FrameSequence::fitted_camera(const LoadedScene& first, const ViewAxes& axes, Progress& progress) {
     const Projection projection = camera_.projection;
@@ -160,11 +173,14 @@ Camera FrameSequence::fitted_camera(const LoadedScene& first, const ViewAxes& ax
     progress.start(name + ": fitting the camera", static_cast<double>(wanted.size()), "frame");
     std::vector<SeenSpheres> seen;
     Scene all;
+    double done = 0.0;
     for (const auto& [frame, degrees] : wanted) {
         const ViewAxes turned = turn_ ? turn_->axes(axes, degrees) : axes;
-        seen.push_back({outermost(read(frame).scene, turned, projection), degrees});
-        all.spheres.insert(all.spheres.end(), seen.back().spheres.begin(), seen.back().spheres.end());
-        progress.update(static_cast<double>(seen.size()) / static_cast<double>(wanted.size()));
+        if (const LoadedScene* loaded = read_to_fit(frame)) {
+            seen.push_back({outermost(loaded->scene, turned, projection), degrees});
+            all.spheres.insert(all.spheres.end(), seen.back().spheres.begin(), seen.back().spheres.end());
+        }
+        progress.update(++done / static_cast<double>(wanted.size()));
     }
     progress.clear();
     middle_ = bounds_of(all).middle();
@@ -192,11 +208,23 @@ LoadedScene FrameSequence::load(const Shot& shot) {
         if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(std::move(warning));
     }
     loaded.warnings = std::move(warnings);
+    if (loaded.look.has_values_beyond && !options_.look.range) beyond_range_.insert(shot.frame);
     loaded.scene.camera = camera_of(shot);
     loaded.middle = middle_;
     loaded.fitted = fitted_ && (!options_.frames.fit_first || shot.frame == shots_.front().frame);
     if (turn_) loaded.scene.light.toward_key = key_direction(camera_axes(camera_));
     return loaded;
+}
+
+std::string FrameSequence::values_beyond_range() const {
+    if (beyond_range_.empty()) return "";
+    const std::size_t others = beyond_range_.size() - 1;
+    return reader_->name() + ": frame " + std::to_string(*beyond_range_.begin()) +
+           (others == 0   ? " holds"
+            : others == 1 ? " and another hold"
+                          : " and " + in_groups(others) + " others hold") +
+           " values beyond " + shortest(look_.range->low) + " to " + shortest(look_.range->high) +
+           ", the first frame's range; --range gives another";
 }
 
 std::vector<std::string> FrameSequence::not_said(const std::vector<std::string>& lines) {

@@ -45,7 +45,8 @@ public:
 
     const std::vector<Shot>& shots() const { return shots_; }
 
-    // Chooses the camera; before load(). Where it is fitted, all frames are read once. Throws as load_scene().
+    // Chooses the camera; before load(). Where it is fitted, all frames are read once; what is wrong with one of them, but for the
+    // first, is left to load(), unless a film is to be made. Throws as load_scene().
     void prepare(Progress& progress);
 
     // The SHA-256 of what the other shots have to do with the picture of this one, after prepare(): the frame is seen by a camera,
@@ -55,6 +56,10 @@ public:
     // The scene of a shot as the camera sees it then. Its light stays where it is in the scene while the camera turns.
     LoadedScene load(const Shot& shot);
 
+    // For people: which of the frames that were loaded hold values beyond the first one's range, in which all are coloured; ""
+    // where none does.
+    std::string values_beyond_range() const;
+
     // Those of the lines that are not said of another frame already.
     std::vector<std::string> not_said(const std::vector<std::string>& lines);
 
@@ -63,6 +68,7 @@ private:
     const LoadedScene& read(std::int64_t frame);
     // What the camera comes of that is fitted to all these shots, besides the file; nothing where it cannot be told in short.
     std::optional<std::string> question_of_fit(const ViewAxes& axes) const;
+    const LoadedScene* read_to_fit(std::int64_t frame);
     Camera fitted_camera(const LoadedScene& first, const ViewAxes& axes, Progress& progress);
     Camera camera_of(const Shot& shot) const { return turn_ ? turn_->camera(camera_, middle_, shot.degrees) : camera_; }
 
@@ -80,6 +86,7 @@ private:
     std::string shared_{};    // by all shots: the text that sum_of() begins with
     glm::dvec3 middle_{0.0};  // of what the camera is fitted to, or of the first frame
     std::set<std::string> said_{};
+    std::set<std::int64_t> beyond_range_{};       // frames
     std::optional<double> radius_{};              // of all points, by one of the frames
     std::vector<std::string> radius_warnings_{};  // of that frame, until a picture has them
 };

@@ -85,6 +85,11 @@ AppliedLook apply_look(Scene& scene, const LookOptions& options, const std::stri
         } catch (const InputError& error) {
             throw InputError(begin + error.what());
         }
+        if (options.range) {
+            const auto [least, greatest] = std::minmax(options.range->low, options.range->high);
+            const auto found = range_of(*colors, options.log);
+            applied.has_values_beyond = found && (found->low < least || found->high > greatest);
+        }
         for (const Sphere& sphere : scene.spheres) applied.own_colors.push_back(sphere.color);
         const std::vector<Color> found = colors_of(*colors, *applied.coloring);
         for (std::size_t i = 0; i < found.size(); ++i) scene.spheres[i].color = found[i];

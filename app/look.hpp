@@ -34,6 +34,7 @@ DataOptions with_properties(DataOptions data, const LookOptions& look);
 struct AppliedLook {
     std::optional<Coloring> coloring{};
     ColorBy colored_by{};
+    bool has_values_beyond = false;  // the range that was asked for
     std::optional<Sizing> sizing{};
     std::string sized_by{};  // the property
     // What the spheres had before, where they have got others.

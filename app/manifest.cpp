@@ -14,6 +14,7 @@
 #include "base/sha256.hpp"
 #include "base/standard_streams.hpp"
 #include "base/text.hpp"
+#include "image/whole_png.hpp"
 
 namespace sphereview {
 
@@ -176,12 +177,15 @@ std::string Manifest::kept_of(std::string_view lines, std::span<const RenderJob>
         while (trimmed(line).empty()) line = take_line(lines);
         const std::string picture = entry.picture.value_or("");
         const auto job = wanted.find(picture);
-        if (job != wanted.end() && !is_of(entry, *job->second)) {
-            outdated_.insert(picture);
-        } else {
-            known_.insert(picture);
-            kept += std::string(line) + "\n";
+        if (job != wanted.end()) {
+            if (!is_of(entry, *job->second)) {
+                outdated_.insert(picture);
+                continue;
+            }
+            // What is damaged gets a new line.
+            if (!is_whole_png(picture, options_.size.width, options_.size.height) || !known_.insert(picture).second) continue;
         }
+        kept += std::string(line) + "\n";
     }
     return kept;
 }

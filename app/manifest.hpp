@@ -58,11 +58,11 @@ ManifestLines read_manifest(const std::string& path);
 class Manifest {
 public:
     // Begins the file named by the options anew, or with --skip-existing goes on behind the whole lines that are there, without
-    // those that say of a job's picture that it was made of something else: then the jobs' sequences are to be prepared. Throws
-    // OutputError, and InputError for scenes without a name, or names that JSON cannot hold.
+    // those of jobs' pictures that were made of something else or are not there whole: then the jobs' sequences are to be prepared.
+    // Throws OutputError, and InputError for scenes without a name, or names that JSON cannot hold.
     Manifest(const RenderOptions& options, std::span<const RenderJob> jobs);
 
-    // Whether there is a line for that picture.
+    // Whether that picture of a job is there whole, and has a line.
     bool has(const std::string& picture) const { return known_.contains(picture); }
     // How many pictures of the jobs had been made of something else.
     std::size_t outdated() const { return outdated_.size(); }

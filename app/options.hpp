@@ -54,6 +54,9 @@ struct RenderOptions {
     bool timings = false;
     bool json = false;
     bool verbose = false;
+
+    // Whether the pictures are a film on standard output.
+    bool streams_film() const { return frames.several() && output == standard_stream; }
 };
 
 struct ConvertOptions {
@@ -63,6 +66,7 @@ struct ConvertOptions {
     DataOptions data;
     LookOptions look{};
     FitOptions fit;  // of the camera that is written
+    bool verbose = false;
 };
 
 struct ExplainOptions {

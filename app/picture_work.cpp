@@ -65,7 +65,12 @@ void PictureMaker::begin(const RenderJob& job, PictureWork& work) {
         if (job.output) check_output(*job.output, missing_folder(options_.output.value_or("")));
         if (job.diff) check_output(*job.diff, missing_folder(*options_.diff));
         if (job.expect) work.golden.emplace(open_png(*job.expect));
-        work.loaded = read_scene(job, work.report);
+        try {
+            work.loaded = read_scene(job, work.report);
+        } catch (const ReadError&) {
+            work.lost_scene = true;
+            throw;
+        }
         spheres_of_last_ = work.report.spheres = work.loaded.scene.spheres.size();
     });
 }

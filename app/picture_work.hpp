@@ -27,6 +27,7 @@ struct PictureWork {
     LoadedScene loaded{};
     bool failed = false;        // its report has the error; differing from a golden image is none
     bool lacks_memory = false;  // that is the error
+    bool lost_scene = false;    // likewise: the scene's file cannot be read, whatever it holds
     Image picture{};
     Image difference{};
     std::string png{};  // where there is an output

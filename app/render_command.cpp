@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "app/options.hpp"
 #include "app/render_jobs.hpp"
 #include "app/render_plan.hpp"
+#include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/memory.hpp"
 #include "base/progress.hpp"
@@ -22,16 +24,56 @@ namespace sphereview {
 
 namespace {
 
-// For each scene, where several pictures are asked for.
-std::vector<std::shared_ptr<FrameSequence>> open_sequences(const RenderOptions& options, Progress& progress) {
-    std::vector<std::shared_ptr<FrameSequence>> sequences;
-    if (!options.frames.several()) return sequences;
-    for (const std::string& scene : options.scenes) {
-        sequences.push_back(std::make_shared<FrameSequence>(scene, options, progress));
-        if (const std::string& end = sequences.back()->early_end(); !end.empty()) say(end);
+// The scenes' sequences, where several pictures of each are asked for. What is wrong with one scene does not stop the others.
+class Sequences {
+public:
+    // Opens those of options.scenes, of which no others are left; `options` and `progress` must outlive this. Throws as
+    // FrameSequence, where there is but one.
+    Sequences(RenderOptions& options, Progress& progress) : progress_(progress), is_only_one_(options.scenes.size() == 1) {
+        if (!options.frames.several()) return;
+        std::erase_if(options.scenes, [&](const std::string& scene) {
+            return !succeeds([&] {
+                all_.push_back(std::make_shared<FrameSequence>(scene, options, progress_));
+                if (const std::string& end = all_.back()->early_end(); !end.empty()) say(end);
+            });
+        });
     }
-    return sequences;
-}
+
+    std::span<const std::shared_ptr<FrameSequence>> all() const { return all_; }
+    // Prepares them for the jobs, of which those of a wrong scene are left out.
+    void prepare(std::vector<RenderJob>& jobs) {
+        for (const auto& sequence : all_) {
+            if (succeeds([&] { sequence->prepare(progress_); })) continue;
+            std::erase_if(jobs, [&](const RenderJob& job) { return job.sequence == sequence; });
+        }
+    }
+    // Done where no frame was lost, and no scene.
+    ExitCode status() const {
+        // The pictures are those of the frames before, but more were to be had.
+        const bool is_damaged = std::ranges::any_of(all_, [](const auto& sequence) { return sequence->is_damaged(); });
+        return is_damaged || has_wrong_one_ ? ExitCode::bad_input : ExitCode::done;
+    }
+
+private:
+    template <typename Step>
+    bool succeeds(const Step& step) {
+        try {
+            step();
+            return true;
+        } catch (const InputError& error) {
+            if (is_only_one_) throw;
+            progress_.clear();
+            say(error.what());
+            has_wrong_one_ = true;
+            return false;
+        }
+    }
+
+    Progress& progress_;
+    std::vector<std::shared_ptr<FrameSequence>> all_{};
+    bool is_only_one_;
+    bool has_wrong_one_ = false;
+};
 
 // Leaves out what others render.
 void leave_out_other_parts(std::vector<RenderJob>& jobs, const RenderOptions& options) {
@@ -52,8 +94,8 @@ void leave_out_existing(std::vector<RenderJob>& jobs, const RenderOptions& optio
     }
     const std::size_t all = jobs.size();
     std::erase_if(jobs, [&](const RenderJob& job) {
-        return job.output && is_whole_png(*job.output, options.size.width, options.size.height) &&
-               (manifest == nullptr || manifest->has(*job.output));
+        return job.output && (manifest != nullptr ? manifest->has(*job.output)
+                                                  : is_whole_png(*job.output, options.size.width, options.size.height));
     });
     if (options.verbose) say(in_groups(all - jobs.size()) + " of " + in_groups(all) + " pictures are there already");
 }
@@ -67,32 +109,28 @@ ExitCode run_render(const RenderOptions& asked_for) {
     // Light needs megabytes of its own, when what was needed before it is given back.
     if (options.shading == Shading::studio) return_large_blocks();
     Progress progress;
-    const auto sequences = open_sequences(options, progress);
-    std::vector<RenderJob> jobs = plan_render(options, sequences);
-    const auto prepare = [&] {
-        for (const auto& sequence : sequences) sequence->prepare(progress);
-    };
+    Sequences sequences(options, progress);
+    std::vector<RenderJob> jobs = plan_render(options, sequences.all());
     std::optional<Manifest> manifest;
     leave_out_other_parts(jobs, options);
     // What is there is compared with what would be made.
     const bool prepares_first = options.frames.manifest && options.frames.skip_existing;
-    if (prepares_first) prepare();
+    if (prepares_first) sequences.prepare(jobs);
     if (options.frames.manifest) manifest.emplace(options, jobs);
     leave_out_existing(jobs, options, manifest ? &*manifest : nullptr);
-    // The pictures are those of the frames before, but more were to be had.
-    const bool is_damaged = std::ranges::any_of(sequences, [](const auto& sequence) { return sequence->is_damaged(); });
-    const ExitCode best = is_damaged ? ExitCode::bad_input : ExitCode::done;
-    if (jobs.empty()) return best;
+    if (jobs.empty()) return sequences.status();
     std::optional<Film> film;
-    const bool is_streamed = options.frames.several() && options.output == standard_stream;
-    if (options.film.movie || is_streamed) film.emplace(options.film, options.durability, jobs.size());
+    if (options.film.movie || options.streams_film()) film.emplace(options.film, options.durability, jobs.size());
     std::optional<InterruptibleFilm> interruptible;
     if (options.film.movie) interruptible.emplace(*film);
-    if (!prepares_first) prepare();
+    if (!prepares_first) sequences.prepare(jobs);
     const RenderSinks sinks{film ? &*film : nullptr, manifest ? &*manifest : nullptr};
     const ExitCode status = run_jobs(options, jobs, sinks, progress);
     if (film && status == ExitCode::done) film->finish();
-    return std::max(status, best);
+    for (const auto& sequence : sequences.all()) {
+        if (const std::string beyond = sequence->values_beyond_range(); !beyond.empty()) say(beyond);
+    }
+    return std::max(status, sequences.status());
 }
 
 }  // namespace sphereview

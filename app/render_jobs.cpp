@@ -191,6 +191,7 @@ private:
         worst_ = std::max(worst_, report.status);
         // What one picture of a sequence met, the next ones would meet as well.
         if (job.sequence && report.status == ExitCode::no_output) ended_where_ = "a picture could not be written";
+        if (job.sequence && work.lost_scene) ended_where_ = "a scene could not be read";
         if (sinks_.manifest != nullptr && sinks_.manifest->has_lost_scene()) ended_where_ = "a scene had changed";
         return !has_ended_film() && ended_where_.empty();
     }

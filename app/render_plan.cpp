@@ -57,8 +57,7 @@ std::string usual_output(const RenderOptions& options) {
 void name_files(RenderJob& job, std::int64_t number, const RenderOptions& options, const std::string& output,
                 const std::optional<std::string>& diff) {
     const auto filled = [&](const std::string& pattern) { return fill_in(pattern, {.name = job.name, .frame = number}); };
-    const bool is_streamed = options.frames.several() && options.output == standard_stream;
-    const bool is_written = options.output ? !is_streamed : !options.expect && !options.film.movie;
+    const bool is_written = options.output ? !options.streams_film() : !options.expect && !options.film.movie;
     if (is_written) job.output = filled(output);
     if (options.expect) job.expect = filled(*options.expect);
     if (diff) job.diff = filled(*diff);
@@ -81,18 +80,18 @@ public:
         stdout_use_ = as;
     }
 
-    // `path` is `pattern` with the job's name filled in.
-    void write(const std::string& path, const std::string& as, const RenderJob& job, const std::string& pattern) {
+    // `path` is `pattern` with the job's name filled in; of all jobs: null.
+    void write(const std::string& path, const std::string& as, const RenderJob* job, const std::string& pattern) {
         if (path == standard_stream) return write_stdout(as);
         const std::string file = file_identity(path, FileUse::output);
         if (file.empty()) return;
         if (const auto input = inputs_.find(file); input != inputs_.end()) {
             throw InputError(path + ": cannot be both " + as + " and " + input->second);
         }
-        const auto [other, added] = outputs_.emplace(file, Output{as, &job});
+        const auto [other, added] = outputs_.emplace(file, Output{as, job});
         if (!added)
             throw InputError(path + ": cannot be both " + as + " and " + other->second.as +
-                             advice(*other->second.job, job, pattern));
+                             advice(other->second.job, job, pattern));
     }
 
 private:
@@ -103,14 +102,15 @@ private:
 
     static std::int64_t number_of(const RenderJob& job) { return job.sequence->shots()[job.shot].number; }
 
-    static std::string advice(const RenderJob& first, const RenderJob& second, const std::string& pattern) {
-        if (&first == &second) return "; they need two names";
-        if (first.sequence && first.sequence == second.sequence) {
+    static std::string advice(const RenderJob* first, const RenderJob* second, const std::string& pattern) {
+        if (first == second || first == nullptr || second == nullptr) return "; they need two names";
+        if (first->sequence && first->sequence == second->sequence) {
             const bool has_number = pattern.find(frame_placeholder) != std::string::npos;
-            return has_number ? "; frame " + std::to_string(number_of(second)) + " is named twice"
+            return has_number ? "; frame " + std::to_string(number_of(*second)) + " is named twice"
                               : "; use {frame} for each picture's number";
         }
-        if (first.name == second.name) return "; both scenes are called " + in_quotes(first.name) + ": render them one at a time";
+        if (first->name == second->name)
+            return "; both scenes are called " + in_quotes(first->name) + ": render them one at a time";
         return pattern.find(placeholder) == std::string::npos ? "; use {name} for each scene's own name"
                                                               : "; choose another pattern";
     }
@@ -196,13 +196,12 @@ std::vector<RenderJob> plan_render(const RenderOptions& options, std::span<const
         if (job.expect) uses.read(*job.expect, "the expected picture of " + job.label);
     }
     if (options.json) uses.write_stdout("the JSON report");
-    if (options.frames.several() && options.output == standard_stream) uses.write_stdout("the film");
-    if (options.film.movie && !jobs.empty()) uses.write(*options.film.movie, "the film", jobs.front(), *options.film.movie);
-    if (options.frames.manifest && !jobs.empty())
-        uses.write(*options.frames.manifest, "the manifest", jobs.front(), *options.frames.manifest);
+    if (options.streams_film()) uses.write_stdout("the film");
+    if (options.film.movie) uses.write(*options.film.movie, "the film", nullptr, *options.film.movie);
+    if (options.frames.manifest) uses.write(*options.frames.manifest, "the manifest", nullptr, *options.frames.manifest);
     for (const RenderJob& job : jobs) {
-        if (job.output) uses.write(*job.output, "the picture of " + job.label, job, output);
-        if (job.diff) uses.write(*job.diff, "the difference picture of " + job.label, job, *diff);
+        if (job.output) uses.write(*job.output, "the picture of " + job.label, &job, output);
+        if (job.diff) uses.write(*job.diff, "the difference picture of " + job.label, &job, *diff);
     }
     return jobs;
 }

@@ -109,7 +109,9 @@ void print_words(const RenderReport& report, const RenderOptions& options) {
         print_tiles(report, options);
         print_decisions(report, options);
     }
-    if (!report.error.empty()) std::fprintf(stderr, "%s\n", report.error.c_str());
+    const auto& sequence = report.job.sequence;
+    const bool is_new = !sequence || !sequence->not_said({report.error}).empty();  // else it was said of another frame
+    if (!report.error.empty() && is_new) std::fprintf(stderr, "%s\n", report.error.c_str());
 }
 
 void print_json(const RenderReport& report, const RenderOptions& options) {

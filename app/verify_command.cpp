@@ -25,6 +25,19 @@ namespace sphereview {
 
 namespace {
 
+auto all_of(const ManifestEntry& entry) {
+    return std::tie(entry.scene, entry.place, entry.picture, entry.scene_sum, entry.camera_sum, entry.sequence_sum, entry.options,
+                    entry.pixels_sum, entry.file_sum);
+}
+
+// A picture that has several lines, in one manifest or in several, counts once.
+void leave_out_twins(std::vector<ManifestEntry>& entries) {
+    using Entry = const ManifestEntry&;
+    std::ranges::sort(entries, [](Entry one, Entry other) { return all_of(one) < all_of(other); });
+    const auto rest = std::ranges::unique(entries, [](Entry one, Entry other) { return all_of(one) == all_of(other); });
+    entries.erase(rest.begin(), rest.end());
+}
+
 // Spread evenly, from a random place on: who made the pictures cannot know which are looked at.
 std::vector<ManifestEntry> sample_of(const std::vector<ManifestEntry>& entries, const SampleSize& size) {
     const auto all = static_cast<double>(entries.size());
@@ -159,6 +172,7 @@ ExitCode run_verify(const VerifyOptions& options) {
     }
     // One manifest may be without a line: of a part of fewer frames than there are parts.
     if (all.empty()) throw InputError(options.manifests.front() + ": found no whole line, expected one for each picture");
+    leave_out_twins(all);
     say_which_are_not_here(all);
     const std::vector<ManifestEntry> entries = sample_of(all, options.sample);
     // With the sums: manifests may be from before and after a change of a file.

@@ -1,6 +1,7 @@
 #include "formats/frame_reader.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <exception>
 #include <utility>
 
@@ -20,6 +21,8 @@ constexpr std::uint64_t most_expected_expansion = 32;  // of a packed text
 // Where other frames are looked for behind a fault: in so many lines, and so often to the end of the text.
 constexpr int most_lines_tried = 100'000;
 constexpr int most_attempts = 8;
+
+[[noreturn]] void fail_shorter(const std::string& name) { throw ReadError(name, "it has become shorter meanwhile", EIO); }
 
 }  // namespace
 
@@ -129,7 +132,7 @@ void FrameReader::go_to(std::uint64_t offset) {
         window_ = window_end();
         stream_.drop_first(stream_.bytes().size());
         stream_.fill(read_at_once);
-        if (stream_.bytes().empty()) throw InputError(name() + ": has become shorter while it was read");
+        if (stream_.bytes().empty()) fail_shorter(name());
     }
     stream_.drop_first(static_cast<std::size_t>(offset - window_));
     window_ = offset;
@@ -251,6 +254,7 @@ void FrameReader::count_in_whole_file() {
     SphereData data = format_.read(stream_.bytes(), name(), first);
     frames_ = data.frames;
     fault_ = std::move(data.fault);
+    cut_frame_ = data.cut_frame;
 }
 
 // A frame behind the last one is looked for from there.
@@ -272,6 +276,7 @@ SphereData FrameReader::read_of_whole_file(DataOptions options) {
 std::int64_t FrameReader::count(std::int64_t enough) {
     if (format_.step_over == nullptr) {
         count_in_whole_file();
+        is_damaged_ = is_damaged_ || (cut_frame_ && *cut_frame_ < enough);
         return std::min(*frames_, enough);
     }
     while (static_cast<std::int64_t>(places_.size()) < enough && find_next()) {
@@ -302,7 +307,7 @@ SphereData FrameReader::read(std::int64_t frame) {
     go_to(place.begin);
     const auto length = static_cast<std::size_t>(place.end - place.begin);
     stream_.fill(static_cast<std::size_t>(place.end - window_));
-    if (text_from(place.begin).size() < length) throw InputError(name() + ": has become shorter while it was read");
+    if (text_from(place.begin).size() < length) fail_shorter(name());
     options.part = {place.origin, frame, true, place.of_first, head};
     return format_.read(text_from(place.begin).substr(0, length), name(), options);
 }

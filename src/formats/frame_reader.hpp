@@ -46,7 +46,8 @@ public:
     std::int64_t count(std::int64_t enough = most_frames);
     // That fault, once frames up to it were counted; "" where none was met.
     const std::string& fault() const { return fault_; }
-    // Whether more follows it in the text, which is damaged there and not only cut off.
+    // Whether more follows it in the text, which is damaged there and not only cut off; also where a frame up to there is cut off
+    // and others follow.
     bool is_damaged() const { return is_damaged_; }
 
     // The frame's spheres. Throws InputError, also where the file has no such frame, and MemoryError.
@@ -94,6 +95,7 @@ private:
     std::optional<std::size_t> end_marks_{};  // bytes of them, once the text's end was read
     // Of a format that is only read whole: how many there are, and the last that was read, with the place behind it.
     std::optional<std::int64_t> frames_{};
+    std::optional<std::int64_t> cut_frame_{};
     std::int64_t last_frame_ = 0;
     std::size_t behind_last_ = 0;
 };

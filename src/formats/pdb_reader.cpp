@@ -126,8 +126,9 @@ private:
         if (line.size() >= end && parse_double(word, value) == NumberFault::none) return value;
         const std::string expected =
             std::string("the atom's ") + "xyz"[axis] + " in columns " + std::to_string(begin + 1) + " to " + std::to_string(end);
-        if (line.size() < end) source_.fail_behind(line, expected);
-        source_.fail(word.empty() ? line.substr(begin, width) : word, expected + ", a number");
+        const std::string advice = may_be_pqr_atom(line) ? "; a PQR is known by a name that ends with .pqr" : "";
+        if (line.size() < end) source_.fail_behind(line, expected + advice);
+        source_.fail(word.empty() ? line.substr(begin, width) : word, expected + ", a number" + advice);
     }
 
     // `symbol`: what the columns of elements hold, which may be something else altogether.

@@ -18,6 +18,9 @@ namespace sphereview {
 
 inline bool is_pdb_atom(std::string_view line) { return line.starts_with("ATOM") || line.starts_with("HETATM"); }
 
+// Whether a line of an atom may be PQR's, with blanks between its fields.
+bool may_be_pqr_atom(std::string_view line);
+
 // A model that no ENDMDL ends before the next one begins, as where a run was appended to what an ended program had left.
 struct InterruptedModel {
     std::int64_t frame = 0;
@@ -86,6 +89,7 @@ SphereData read_pdb_frame(const TextSource& source, const DataOptions& options, 
     }
     if (std::string interrupted = fault_of_interrupted_model(source, frame); !interrupted.empty()) {
         data.warnings.push_back(std::move(interrupted));
+        data.cut_frame = frame.interrupted->frame;
     }
     return data;
 }

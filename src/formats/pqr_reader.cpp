@@ -1,6 +1,7 @@
 // PQR: PDB's records of atoms with blanks between what they say, and at the end the atom's charge and radius.
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <unordered_map>
 
 #include "base/number.hpp"
@@ -16,15 +17,35 @@ namespace {
 
 constexpr auto last_fields = std::to_array<const char*>({"x", "y", "z", "charge", "radius"});
 
+constexpr std::size_t behind_places = 54;  // in PDB's columns
+
 bool holds_digit(std::string_view word) { return word.find_first_of("0123456789") != std::string_view::npos; }
 
 // Whether all stands in the columns of PDB, as PDB2PQR writes it.
 bool is_in_columns(std::string_view line) {
-    constexpr std::size_t behind_places = 54;
     if (line.size() <= behind_places || line[10] == ' ' || line[11] != ' ' || !in_columns(line, 27, 30).empty()) return false;
     if (in_columns(line, 12, 16).empty() || !holds_digit(in_columns(line, 22, 27))) return false;
     return line[34] == '.' && line[42] == '.' && line[50] == '.' && is_number(in_columns(line, 30, 38)) &&
            is_number(in_columns(line, 38, 46)) && is_number(in_columns(line, 46, behind_places));
+}
+
+// Whether a line of an atom is PQR's; nothing where it may be PDB's as well, whose occupancies are not below 0 and have two
+// decimals.
+std::optional<bool> is_pqr_atom(std::string_view line) {
+    const bool fits_pdb = is_in_columns(line);
+    const auto words = words_of(fits_pdb ? line.substr(behind_places) : line);
+    const std::size_t numbers = fits_pdb ? 2 : last_fields.size();
+    const std::size_t names = words.size() - std::min(words.size(), numbers);
+    const bool has_names = fits_pdb ? names == 0 : (names == 5 || names == 6) && holds_digit(words[names - 1]);
+    if (words.size() < numbers || !has_names ||
+        !std::all_of(words.end() - static_cast<std::ptrdiff_t>(numbers), words.end(), is_number))
+        return false;
+    const std::string_view charge = words[words.size() - 2];
+    const std::size_t decimals = charge.size() - std::min(charge.find('.'), charge.size() - 1) - 1;
+    double value = 0.0;
+    parse_double(charge, value);
+    const bool is_sure = decimals > 2 || value < 0.0 || (!fits_pdb && (decimals != 2 || value == 0.0));
+    return is_sure ? std::optional(true) : std::nullopt;
 }
 
 // Reads ATOM, a number, the atom, its residue, perhaps a chain, the residue's number, and last_fields.
@@ -144,7 +165,7 @@ private:
         }
         for (std::size_t axis = 0; axis < 3; ++axis) fields_[axis] = in_columns(line, 30 + 8 * axis, 38 + 8 * axis);
         words_.clear();
-        split_line(line.substr(54), 2, words_);
+        split_line(line.substr(behind_places), 2, words_);
         const bool touch = words_.size() < 2 || !is_number(words_[0]);
         fields_[3] = touch ? in_columns(line, 54, 62) : words_[0];
         fields_[4] = touch ? in_columns(line, 62, 70) : words_[1];
@@ -187,21 +208,16 @@ bool ends_short(std::string_view text) {
 
 }  // namespace
 
-// Atoms as PDB has them, but with a charge of more decimals than an occupancy has, and nothing behind the radius.
+bool may_be_pqr_atom(std::string_view line) { return is_pqr_atom(line) != false; }
+
 bool shows_pqr(std::string_view head) {
     while (!head.empty()) {
         const std::string_view line = take_line(head);
-        if (!is_pdb_atom(line)) {
-            if (!line.empty() && !line.starts_with("REMARK") && !line.starts_with("TITLE") && !line.starts_with("HEADER"))
-                return false;
-            continue;
-        }
-        const auto words = words_of(line);
-        if (words.size() < 9 || !std::all_of(words.end() - 5, words.end(), is_number)) return false;
-        const std::string_view charge = words[words.size() - 2];
-        constexpr std::size_t decimals_of_occupancy = 2;
-        const std::size_t point = charge.find('.');
-        return point != std::string_view::npos && charge.size() - point - 1 > decimals_of_occupancy;
+        const bool is_other_record = line.empty() || is_letter(line[0]) || line[0] == '#';
+        const std::optional<bool> is_pqr = is_pdb_atom(line) ? is_pqr_atom(line)
+                                           : is_other_record ? std::nullopt
+                                                             : std::optional(false);
+        if (is_pqr) return *is_pqr;
     }
     return false;
 }

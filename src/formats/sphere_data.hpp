@@ -60,6 +60,7 @@ struct SphereData {
     Scene scene{};                             // of data: spheres and names, with the default camera and background
     std::int64_t frames = 1;                   // in the file
     std::string fault{};                       // that ends them before the text does; among the warnings, too
+    std::optional<std::int64_t> cut_frame{};   // within which, or behind which, others may be lost, though more follow
     std::optional<FrameTime> time{};           // of the frame, where the file says it
     std::size_t next_frame = 0;                // where PartOfFile::begin may be for the one behind it; 0: that is not known
     std::optional<double> radius_of_points{};  // that all got, because the file says none (point_radius.hpp)

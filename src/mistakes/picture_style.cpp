@@ -101,8 +101,7 @@ private:
             colors.push_back(static_cast<std::uint64_t>(numbers_[i]) << 32 | packed_color(comparer_.found(i)));
         }
         std::ranges::sort(colors);
-        const auto twice = std::ranges::unique(colors);
-        colors.erase(twice.begin(), twice.end());
+        colors.erase(std::unique(colors.begin(), colors.end()), colors.end());
         std::size_t spheres = 0;
         for (std::size_t i = 0; i < colors.size(); ++i) spheres += i == 0 || colors[i] >> 32 != colors[i - 1] >> 32 ? 1 : 0;
         return colors.size() >= std::max(fewest, many * spheres);

@@ -157,8 +157,8 @@ TEST_F(Data, SaysWhatItLeavesOutAndPassesOver) {
     EXPECT_EQ(sphereview(usual).errors, warning);
     std::vector<std::string> verbose = usual;
     verbose.emplace_back("--verbose");
-    EXPECT_TRUE(sphereview(verbose).errors.starts_with(
-        warning + "a.csv: columns that are passed over: 'mass\\x1b[31m'; --color-by and --size-by can use them\n"));
+    const std::string columns = "a.csv: columns that are passed over: 'mass\\x1b[31m'; --color-by and --size-by can use them\n";
+    EXPECT_TRUE(sphereview(verbose).errors.starts_with(warning + columns));
     std::vector<std::string> json = usual;
     json.emplace_back("--json");
     const auto report = Json::parse(sphereview(json).output);
@@ -166,6 +166,7 @@ TEST_F(Data, SaysWhatItLeavesOutAndPassesOver) {
     EXPECT_EQ(report["notes"].size(), 1U);
     EXPECT_EQ(report["properties"], (Json{"radius", "mass\x1B[31m"}));
     EXPECT_EQ(sphereview({"convert", "a.csv", "a.txt"}).errors, warning);
+    EXPECT_EQ(sphereview({"convert", "a.csv", "a.txt", "--verbose"}).errors, warning + columns + "a.csv: CSV, 1 sphere\n");
     EXPECT_EQ(sphereview({"explain", "a.csv", "--pixel", "1,1", "--size", "9x9"}).errors, warning);
 }
 

@@ -1,10 +1,6 @@
 // Pictures of several frames, and around a scene.
 #include <gtest/gtest.h>
 
-#ifdef __linux__
-#include <sched.h>
-#endif
-
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -12,10 +8,9 @@
 #include <filesystem>
 #include <sstream>
 
+#include "cli/frames.hpp"
 #include "support/eventually.hpp"
-#include "support/gzip.hpp"
 #include "support/json.hpp"
-#include "support/render.hpp"
 #include "support/text_match.hpp"
 
 namespace sphereview::test {
@@ -24,47 +19,31 @@ namespace {
 // An oxygen in the middle of two hydrogens that go away.
 constexpr const char* breathing = "3\n0\nH -1 0 0\nH 1 0 0\nO 0 0 0\n3\n1\nH -6 0 0\nH 6 0 0\nO 0 0 0\n";
 
-class Frames : public testing::Test {
-protected:
-    Outcome render(const std::vector<std::string>& arguments) const { return test::render(folder_, arguments); }
-
-    void expect_done(const std::vector<std::string>& arguments) const {
-        const Outcome outcome = render(arguments);
-        EXPECT_EQ(outcome.status, 0) << outcome;
-        EXPECT_EQ(outcome.errors, "");
+// Pixels of the oxygen's colour.
+int red_pixels(const Picture& shown) {
+    int count = 0;
+    for (int y = 0; y < shown.height; ++y) {
+        for (int x = 0; x < shown.width; ++x) count += shown.at(x, y) == std::vector<int>{255, 13, 13} ? 1 : 0;
     }
-
-    Picture picture(const std::string& name) const { return decode_png(folder_.read(name)); }
-
-    // Pixels of the oxygen's colour.
-    int red_pixels(const std::string& name) const {
-        const Picture shown = picture(name);
-        int count = 0;
-        for (int y = 0; y < shown.height; ++y) {
-            for (int x = 0; x < shown.width; ++x) count += shown.at(x, y) == std::vector<int>{255, 13, 13} ? 1 : 0;
-        }
-        return count;
-    }
-
-    TemporaryFolder folder_;
-};
+    return count;
+}
 
 TEST_F(Frames, HaveOneCamera) {
     folder_.write("breathing.xyz", breathing);
     expect_done({"breathing.xyz", "--frames", "all", "-s", "100x100", "-o", "out/{name}-{frame:05}.png"});
-    const int first = red_pixels("out/breathing-00000.png");
+    const int first = red_pixels(picture("out/breathing-00000.png"));
     EXPECT_GT(first, 20);
-    EXPECT_EQ(first, red_pixels("out/breathing-00001.png"));
+    EXPECT_EQ(first, red_pixels(picture("out/breathing-00001.png")));
     // The union of what they hold is what the second holds.
     expect_done({"breathing.xyz", "--frame", "1", "-s", "100x100", "-o", "alone"});
     EXPECT_EQ(picture("alone.png"), picture("out/breathing-00001.png"));
     expect_done({"breathing.xyz", "--frame", "0", "-s", "100x100", "-o", "alone"});
-    EXPECT_GT(red_pixels("alone.png"), 5 * first);
+    EXPECT_GT(red_pixels(picture("alone.png")), 5 * first);
 
     // Fitted to the first frame, the second's hydrogens are beside the picture.
     expect_done({"--fit", "first", "breathing.xyz", "--frames", ":", "-s", "100x100"});
     EXPECT_EQ(picture("breathing-00000.png"), picture("alone.png"));
-    EXPECT_EQ(red_pixels("breathing-00001.png"), red_pixels("breathing-00000.png"));
+    EXPECT_EQ(red_pixels(picture("breathing-00001.png")), red_pixels(picture("breathing-00000.png")));
 }
 
 // The camera of the first frame need not see the others.
@@ -88,17 +67,25 @@ TEST_F(Frames, HaveOneRangeOfColoursAndSizes) {
         EXPECT_EQ(outcome.status, 0) << outcome;
         return outcome.errors;
     };
-    EXPECT_EQ(rendered({"--frames", "all"}), "v.xyz: colours by v: viridis from 1 to 2\nv.xyz: radii by v: 0.5 times the value\n");
+    const std::string said = "v.xyz: colours by v: viridis from 1 to 2\nv.xyz: radii by v: 0.5 times the value\n";
+    const std::string beyond = " values beyond 1 to 2, the first frame's range; --range gives another\n";
+    EXPECT_EQ(rendered({"--frames", "all"}), said + "v.xyz: frame 1 holds" + beyond);
     rendered({"--frame", "1", "-o", "alone", "--range", "1:2", "--scale", "0.5"});
     EXPECT_EQ(picture("v-00001.png"), picture("alone.png"));
     rendered({"--frame", "1", "-o", "alone"});
     EXPECT_NE(picture("v-00001.png"), picture("alone.png"));
+
+    folder_.write("v.xyz", frame("1", "2") + frame("1.5", "2") + frame("0.5", "1") + frame("1", "1") + frame("1", "3"));
+    EXPECT_EQ(rendered({"--frames", "all"}), said + "v.xyz: frame 2 and another hold" + beyond);
+    EXPECT_FALSE(contains(rendered({"--frames", "all", "--range", "1:2"}), "beyond"));
+    EXPECT_FALSE(contains(rendered({"--frames", "all", "--part", "2/2"}), "beyond"));
+    folder_.write("v.xyz", frame("1", "2") + frame("0.5", "9") + frame("0.5", "1") + frame("1", "3"));
+    EXPECT_EQ(rendered({"--frames", "all", "--part", "2/2"}), said + "v.xyz: frame 1 and another hold" + beyond);
+    EXPECT_EQ(rendered({"--frames", "all"}), said + "v.xyz: frame 1 and 2 others hold" + beyond);
 }
 
 TEST_F(Frames, AreNamedByNumber) {
-    std::string text;
-    for (int i = 0; i < 5; ++i) text += "1\n\nO " + std::to_string(i) + " 0 0\n";
-    folder_.write("a.xyz", text);
+    folder_.write("a.xyz", moving_atom(5));
     expect_done({"a.xyz", "--frames", "1:5:2,-1", "-s", "9x9", "-o", "{frame}.png"});
     EXPECT_EQ(folder_.names(), (std::vector<std::string>{"1.png", "3.png", "4.png", "a.xyz"}));
     expect_done({"a.xyz", "--frames", "-2", "-s", "9x9"});
@@ -108,7 +95,7 @@ TEST_F(Frames, AreNamedByNumber) {
     EXPECT_TRUE(contains(json.output, "\"frame\":1")) << json;
 
     // What the scene's name itself holds is no placeholder.
-    folder_.write("{frame}.xyz", text);
+    folder_.write("{frame}.xyz", moving_atom(5));
     expect_done({"{frame}.xyz", "--frames", "0", "-s", "9x9", "-o", "{name}-{frame}.png"});
     EXPECT_TRUE(folder_.has("{frame}-0.png"));
 
@@ -130,9 +117,7 @@ TEST_F(Frames, AreNamedByNumber) {
 
 // A folder in the place of the second picture, which the third one would not meet: but disks that are full stay so.
 TEST_F(Frames, EndWhereAPictureCannotBeWritten) {
-    std::string text;
-    for (int i = 0; i < 30; ++i) text += "1\n\nO " + std::to_string(i) + " 0 0\n";
-    folder_.write("a.xyz", text);
+    folder_.write("a.xyz", moving_atom(30));
     folder_.write("out/1.png/file", "");
     const std::string end = "\nsphereview: ended where a picture could not be written; 1 of 30 pictures were done\n";
     const Outcome outcome = render({"a.xyz", "--frames", "all", "-s", "9x9", "-o", "out/{frame}.png"});
@@ -148,139 +133,6 @@ TEST_F(Frames, EndWhereAPictureCannotBeWritten) {
 #endif
 }
 
-// Of many that fail each for itself, the last line names some.
-TEST_F(Frames, NameSomeOfManyThatFail) {
-    std::string text;
-    for (int i = 0; i < 14; ++i) text += "1\n\nO " + std::to_string(i) + " x 0\n";
-    folder_.write("a.xyz", "1\n\nO 0 0 0\n" + text);
-    const Outcome outcome = render({"a.xyz", "--frames", "all", "-s", "9x9", "--fit", "first", "-o", "out/{frame}.png"});
-    EXPECT_EQ(outcome.status, 2) << outcome;
-    EXPECT_TRUE(contains(outcome.errors, "\nsphereview: 14 of 15 pictures failed: a.xyz, 1; a.xyz, 2; ")) << outcome;
-    EXPECT_TRUE(outcome.errors.ends_with("; a.xyz, 10; and 4 more\n")) << outcome;
-}
-
-TEST_F(Frames, WarnOncePerFile) {
-    folder_.write("cut.xyz", "1\n\nO 0 0 0\n1\n\nO 1 0 0\n2\n\nO 1 0 0\n");
-    const Outcome outcome = render({"cut.xyz", "--frames", "all", "-s", "9x9"});
-    EXPECT_EQ(outcome.status, 0) << outcome;
-    EXPECT_EQ(outcome.errors,
-              "cut.xyz:10:1: the text ends, expected atom 2 of 2 of frame 2; what follows frame 1 is passed over\n");
-    EXPECT_TRUE(folder_.has("cut-00001.png"));
-    EXPECT_FALSE(folder_.has("cut-00002.png"));
-}
-
-// As a program leaves it that was ended while it wrote.
-TEST_F(Frames, EndBeforeOneThatIsCutWithinItsLine) {
-    folder_.write("cut.xyz", "1\n\nO 0 0 0\n1\n\nO 1 0 0\n2\n\nO 1 0 0\nO 1 0");
-    const std::string fault = "cut.xyz:10:6: the text ends, expected the whole line of the last atom of frame 2";
-    for (const char* frames : {"all", "1:", ":7"}) {
-        const Outcome outcome = render({"cut.xyz", "--frames", frames, "-s", "9x9", "-o", "out/{frame}.png"});
-        EXPECT_EQ(outcome.status, 0) << outcome;
-        EXPECT_EQ(outcome.errors, fault + "; what follows frame 1 is passed over\n");
-        EXPECT_TRUE(folder_.has("out/1.png"));
-        EXPECT_FALSE(folder_.has("out/2.png"));
-    }
-    for (const char* frames : {"2", "0,2"}) {
-        const Outcome outcome = render({"cut.xyz", "--frames", frames, "-s", "9x9"});
-        EXPECT_EQ(outcome.status, 2) << outcome;
-        EXPECT_EQ(outcome.errors, "cut.xyz: found 2 frames, 0 to 1, expected frame 2; " + fault + "\n");
-    }
-}
-
-// Of files that are read whole, too.
-TEST_F(Frames, OfAPdbFileEndBeforeOneThatIsCutWithinItsLine) {
-    const auto model = [](const char* x) {
-        return std::string("MODEL\nATOM      1  N   ALA A   1       ") + x +
-               ".000   0.000   0.000  1.00  0.00           N\nENDMDL\n";
-    };
-    folder_.write("cut.pdb", model("1") + model("2") + model("3").substr(0, 50));
-    const Outcome outcome = render({"cut.pdb", "--frames", "all", "-s", "9x9"});
-    EXPECT_EQ(outcome.status, 0) << outcome;
-    EXPECT_EQ(outcome.errors,
-              "cut.pdb:8:45: the line ends, expected the atom's y in columns 39 to 46; what follows frame 1 is passed over\n");
-    EXPECT_TRUE(folder_.has("cut-00001.png"));
-    EXPECT_FALSE(folder_.has("cut-00002.png"));
-    EXPECT_EQ(render({"cut.pdb", "--frames", "2", "-s", "9x9"}).status, 2);
-}
-
-TEST_F(Frames, OfAPdbFileEndBeforeAModelWithoutItsEnd) {
-    const std::string atom = "ATOM      1  N   ALA A   1       1.000   0.000   0.000  1.00  0.00           N\n";
-    const std::string model = "MODEL\n" + atom + atom + "ENDMDL\n";
-    folder_.write("cut.pdb", model + model + "MODEL\n" + atom);
-    const std::string fault = "cut.pdb:11:1: the text ends, expected ENDMDL of frame 2";
-    const Outcome outcome = render({"cut.pdb", "--frames", "all", "-s", "9x9"});
-    EXPECT_EQ(outcome.status, 0) << outcome;
-    EXPECT_EQ(outcome.errors, fault + "; what follows frame 1 is passed over\n");
-    EXPECT_TRUE(folder_.has("cut-00001.png"));
-    EXPECT_FALSE(folder_.has("cut-00002.png"));
-    for (const char* option : {"--frames", "--frame"}) {
-        const Outcome one = render({"cut.pdb", option, "2", "-s", "9x9"});
-        EXPECT_EQ(one.status, 2) << one;
-        EXPECT_TRUE(one.errors.ends_with(fault + "\n")) << one;
-    }
-    folder_.write("goes-on.pdb", model + "MODEL\n" + atom + model);
-    const Outcome interrupted = render({"goes-on.pdb", "--frames", "all", "-s", "9x9"});
-    EXPECT_EQ(interrupted.status, 0) << interrupted;
-    EXPECT_EQ(interrupted.errors, "goes-on.pdb:7:1: found 'MODEL', expected ENDMDL of frame 1 above it; frame 1 may be cut off\n");
-    EXPECT_TRUE(folder_.has("goes-on-00002.png"));
-}
-
-#ifndef WITHOUT_GEMMI
-TEST_F(Frames, OfAnMmcifFileSayOnceWhereTheyEnd) {
-    folder_.write("cut.cif",
-                  "data_own\nloop_\n_atom_site.pdbx_PDB_model_num\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
-                  "1 0 0 0\n2 0 0 0\n3 0 0 0\n3 1 0");
-    const Outcome outcome = render({"cut.cif", "--frames", "all", "-s", "9x9"});
-    EXPECT_EQ(outcome.status, 0) << outcome;
-    EXPECT_EQ(outcome.errors.find("; what follows frame 1 is passed over\n") + 38, outcome.errors.size()) << outcome;
-    EXPECT_TRUE(folder_.has("cut-00001.png"));
-}
-#endif
-
-// There were more, which nobody can find.
-TEST_F(Frames, ThatAreLostBehindDamageGiveAnotherStatus) {
-    const std::string frame = "1\n\nO 0 0 0\n";
-    folder_.write("a.xyz", frame + frame + frame + "2x\n\nO 0 0 0\nO 1 0 0\n" + frame + frame);
-    const std::vector<std::string> all = {"a.xyz", "--frames", "all", "-s", "9x9", "-o", "out/{frame}.png"};
-    const Outcome outcome = render(all);
-    EXPECT_EQ(outcome.status, 2) << outcome;
-    EXPECT_EQ(outcome.errors,
-              "a.xyz:10:1: found '2x', expected the number of atoms of frame 3, a whole number; what follows frame "
-              "2 is passed over\n");
-    EXPECT_TRUE(folder_.has("out/2.png"));
-    EXPECT_FALSE(folder_.has("out/3.png"));
-    std::vector<std::string> again = all;
-    again.emplace_back("--skip-existing");
-    EXPECT_EQ(render(again).status, 2) << "they are not there either";
-    expect_done({"a.xyz", "--frames", "0:3", "-s", "9x9", "-o", "out/{frame}.png"});
-    EXPECT_EQ(render({"a.xyz", "--frames", "1:4", "-s", "9x9", "-o", "out/{frame}.png"}).status, 2);
-}
-
-TEST_F(Frames, OfADumpAreLostBehindOneWithoutTheHeadOfItsAtoms) {
-    const std::string begin = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\n";
-    const std::string frame = begin + "ITEM: ATOMS id type x y z radius\n1 1 0 0 0 1\n";
-    folder_.write("a.lammpstrj", frame + begin + "1 1 0 0 0 1\n" + frame + frame);
-    const Outcome outcome = render({"a.lammpstrj", "--frames", "all", "-s", "9x9", "-o", "out/{frame}.png"});
-    EXPECT_EQ(outcome.status, 2) << outcome;
-    EXPECT_EQ(outcome.errors,
-              "a.lammpstrj:19:1: found '1', expected ITEM: ATOMS of frame 1; what follows frame 0 is passed over\n");
-    EXPECT_TRUE(folder_.has("out/0.png"));
-    EXPECT_FALSE(folder_.has("out/1.png"));
-}
-
-// Nobody can tell how many frames it had.
-TEST_F(Frames, RefuseAPackedFileThatIsCutOff) {
-    const std::string packed = gzipped("1\n\nO 0 0 0\n1\n\nO 1 0 0\n");
-    folder_.write("a.xyz.gz", packed.substr(0, packed.size() - 9));
-    for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--fit", "first"}}) {
-        std::vector<std::string> arguments = {"a.xyz.gz", "--frames", "all", "-s", "9x9"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        const Outcome outcome = render(arguments);
-        EXPECT_EQ(outcome.status, 2) << outcome;
-        EXPECT_EQ(outcome.errors, "a.xyz.gz: cannot be unpacked: its gzip data end too early\n");
-    }
-}
-
 TEST_F(Frames, SayOnceWhichRadiusAllPointsGet) {
     std::string text;
     for (int i = 0; i < 3; ++i) {
@@ -294,9 +146,7 @@ TEST_F(Frames, SayOnceWhichRadiusAllPointsGet) {
         "d.lammpstrj: no radius in the file: all get 1, a quarter of the median distance to the nearest neighbour; --radius gives "
         "another\n";
     for (const auto& more : {std::vector<std::string>{}, {"--camera", "camera.toml"}, {"--fit", "first"}}) {
-        std::vector<std::string> all = {"d.lammpstrj", "--frames", "all", "-s", "20x20"};
-        all.insert(all.end(), more.begin(), more.end());
-        EXPECT_EQ(render(all).errors, said);
+        EXPECT_EQ(render(all_words({"d.lammpstrj", "--frames", "all", "-s", "20x20"}, more)).errors, said);
     }
 }
 
@@ -307,9 +157,9 @@ TEST_F(Frames, TakeTheCameraOfAScene) {
         "[camera]\neye = [0, 0, -100]\n[[view]]\nname = \"near\"\neye = [0, 0, -20]\ncenter = [0, 0, -10]\nright = [5, 0, 0]\n"
         "up = [0, 5, 0]\n");
     expect_done({"breathing.xyz", "--frames", "all", "-s", "60x60", "--camera", "view.toml"});
-    const int far = red_pixels("breathing-00000.png");
+    const int far = red_pixels(picture("breathing-00000.png"));
     expect_done({"breathing.xyz", "--frames", "all", "-s", "60x60", "--camera", "view.toml", "--view", "near"});
-    EXPECT_GT(red_pixels("breathing-00000.png"), far);
+    EXPECT_GT(red_pixels(picture("breathing-00000.png")), far);
     expect_done({"breathing.xyz", "-s", "60x60", "--camera", "view.toml", "--view", "near", "-o", "still"});
     EXPECT_EQ(picture("still.png"), picture("breathing-00000.png"));
     EXPECT_EQ(render({"breathing.xyz", "--camera", "view.toml", "--view", "top"}).status, 2);
@@ -364,9 +214,7 @@ TEST_F(Frames, SayOnceThatTheyShowNoSphere) {
 
 // One that is written to a pipe is done when the pipe has taken it; the next one waits for a reader.
 TEST_F(Frames, SayHowManyWereDoneWhenInterrupted) {
-    std::string text;
-    for (int i = 0; i < 9; ++i) text += "1\n\nO " + std::to_string(i) + " 0 0\n";
-    folder_.write("a.xyz", text);
+    folder_.write("a.xyz", moving_atom(9));
     ASSERT_EQ(mkfifo(folder_.path("3.png").c_str(), 0600), 0);
     Running program(cpu_render(folder_, {"a.xyz", "--frames", "all", "-s", "9x9", "-o", "{frame}.png"}));
     ASSERT_TRUE(eventually([&] { return folder_.has("2.png"); }));
@@ -395,26 +243,6 @@ TEST_F(Frames, AreDoneOneAtATimeWhereThereIsNoMemoryForSeveral) {
 #endif
 
 #ifdef __linux__
-
-// Children of this process have one core while it lives.
-class OneCore {
-public:
-    OneCore() {
-        sched_getaffinity(0, sizeof before_, &before_);
-        int first = 0;
-        while (!CPU_ISSET(first, &before_)) ++first;
-        cpu_set_t one;
-        CPU_ZERO(&one);
-        CPU_SET(first, &one);
-        sched_setaffinity(0, sizeof one, &one);
-    }
-    ~OneCore() { sched_setaffinity(0, sizeof before_, &before_); }
-    OneCore(const OneCore&) = delete;
-    OneCore& operator=(const OneCore&) = delete;
-
-private:
-    cpu_set_t before_{};
-};
 
 // What a run says and leaves, but for the times.
 std::string all_of(const TemporaryFolder& folder, const Outcome& outcome) {

@@ -65,6 +65,14 @@ SphereData read_at_once(const std::string& text, const std::string& name, std::i
 
 class FrameReading : public testing::Test {
 protected:
+    // Whether a text in which so many frames stand before a fault is damaged there.
+    bool is_damaged(const std::string& text, std::int64_t frames) const {
+        FrameReader reader(folder_.write("a.xyz", text), {});
+        EXPECT_EQ(reader.count(), frames);
+        EXPECT_NE(reader.fault(), "");
+        return reader.is_damaged();
+    }
+
     test::TemporaryFolder folder_;
 };
 
@@ -230,31 +238,19 @@ TEST_F(FrameReading, ACutAnywhereLeavesTheFramesBefore) {
 
 TEST_F(FrameReading, TellsDamageFromACut) {
     const std::string frame = "1\n\nO 0 0 0\n";
-    const auto is_damaged = [&](const std::string& text) {
-        FrameReader reader(folder_.write("a.xyz", text), {});
-        EXPECT_EQ(reader.count(), 2);
-        EXPECT_NE(reader.fault(), "");
-        return reader.is_damaged();
-    };
-    EXPECT_TRUE(is_damaged(frame + frame + "2x\n\nO 0 0 0\n" + frame));
-    EXPECT_TRUE(is_damaged(frame + frame + "O 0 0 0\n" + frame)) << "one atom more";
-    EXPECT_FALSE(is_damaged(frame + frame + "x"));
-    EXPECT_FALSE(is_damaged(frame + frame + "x\n\n")) << "nothing was to be had behind it";
-    EXPECT_FALSE(is_damaged(frame + frame + "2\n\nO 0 0 0\n"));
+    EXPECT_TRUE(is_damaged(frame + frame + "2x\n\nO 0 0 0\n" + frame, 2));
+    EXPECT_TRUE(is_damaged(frame + frame + "O 0 0 0\n" + frame, 2)) << "one atom more";
+    EXPECT_FALSE(is_damaged(frame + frame + "x", 2));
+    EXPECT_FALSE(is_damaged(frame + frame + "x\n\n", 2)) << "nothing was to be had behind it";
+    EXPECT_FALSE(is_damaged(frame + frame + "2\n\nO 0 0 0\n", 2));
     // What follows may be farther than what is read at once.
-    EXPECT_TRUE(is_damaged(frame + frame + "x\n" + std::string(std::size_t{5} << 20U, ' ') + "\n" + frame));
+    EXPECT_TRUE(is_damaged(frame + frame + "x\n" + std::string(std::size_t{5} << 20U, ' ') + "\n" + frame, 2));
 }
 
 TEST_F(FrameReading, ANumberOfAtomsThatSwallowsFramesIsDamage) {
     const std::string frame = "2\n1\nO 0 0 0\nH 0 0 1\n";
-    const auto is_damaged = [&](const std::string& text) {
-        FrameReader reader(folder_.write("a.xyz", text), {});
-        EXPECT_EQ(reader.count(), 1);
-        EXPECT_NE(reader.fault(), "");
-        return reader.is_damaged();
-    };
-    EXPECT_TRUE(is_damaged(frame + "200\n1\nO 0 0 0\nH 0 0 1\n" + frame));
-    EXPECT_FALSE(is_damaged(frame + "200\n1\nO 0 0 0\nH 0 0 1\n")) << "its comment is no frame";
+    EXPECT_TRUE(is_damaged(frame + "200\n1\nO 0 0 0\nH 0 0 1\n" + frame, 1));
+    EXPECT_FALSE(is_damaged(frame + "200\n1\nO 0 0 0\nH 0 0 1\n", 1)) << "its comment is no frame";
 }
 
 // What a file system leaves of a file that was made larger before it was written.
@@ -270,19 +266,13 @@ TEST_F(FrameReading, ManyFramesBeforeManyZeroBytesTakeNoLonger) {
 TEST_F(FrameReading, LinesBehindAnOnlyFrameAreNoDamage) {
     const std::string frame = "1\n\nO 0 0 0\n";
     const std::string lines = "1600.1 3650.2\nO O\nInChI=1S/H2O/h1H2\n";
-    const auto is_damaged = [&](const std::string& text) {
-        FrameReader reader(folder_.write("a.xyz", text), {});
-        EXPECT_EQ(reader.count(), 1);
-        EXPECT_NE(reader.fault(), "");
-        return reader.is_damaged();
-    };
-    EXPECT_FALSE(is_damaged(frame + lines));
+    EXPECT_FALSE(is_damaged(frame + lines, 1));
     std::string many;
     for (int line = 0; line < 2000; ++line) many += "1600.1 3650.2\n";
-    EXPECT_FALSE(is_damaged(frame + many));
-    EXPECT_TRUE(is_damaged(frame + many + frame));
-    EXPECT_TRUE(is_damaged(frame + lines + frame));
-    EXPECT_TRUE(is_damaged(frame + lines + std::string(std::size_t{5} << 20U, ' ') + "\n" + frame));
+    EXPECT_FALSE(is_damaged(frame + many, 1));
+    EXPECT_TRUE(is_damaged(frame + many + frame, 1));
+    EXPECT_TRUE(is_damaged(frame + lines + frame, 1));
+    EXPECT_TRUE(is_damaged(frame + lines + std::string(std::size_t{5} << 20U, ' ') + "\n" + frame, 1));
 }
 
 TEST_F(FrameReading, OtherFilesAreReadWhole) {

@@ -141,6 +141,22 @@ TEST_F(KeptCamera, IsNotKeptWhereThereIsNothingToSave) {
     EXPECT_EQ(kept(), 0U);
 }
 
+// Its own picture says what is wrong with it; a film has none without.
+TEST_F(KeptCamera, SeesWhatTheOthersHoldWhereAFrameIsWrong) {
+    write("x");
+    const Camera camera = camera_by(options());
+    RenderOptions others = options();
+    others.frames.ranges = {{0, {}, 1, true}, {2, {}, 1, true}};
+    EXPECT_EQ(camera_by(others), camera);
+    write("9");
+    EXPECT_EQ(camera_by(options()), camera) << "kept";
+    write("x");
+    RenderOptions film = options();
+    film.data.index_from.reset();
+    film.film.movie = "a.mkv";
+    EXPECT_THROW(camera_by(film), InputError);
+}
+
 // A frame whose radius comes of its points, behind a first one without any, is of use to all.
 TEST_F(KeptCamera, IsNotKeptWhereAnotherFrameGivesTheRadius) {
     const auto frame = [](const std::string& atoms, int count) {

@@ -28,10 +28,35 @@ TEST(Pqr, HasItsOwnRadii) {
     EXPECT_EQ(data.scene.spheres[1], (Sphere{{4.326, 25.01, 35.7}, 2.275, find_element("C")->color, false}));
     EXPECT_EQ(data.scene.names.at(1), "LEU 1/CA");
     EXPECT_TRUE(data.warnings.empty());
-    for (const std::string head : {"", "REMARK   1 PQR file\nREMARK\n"}) EXPECT_EQ(detect_format(head + pqr_two, "").name, "PQR");
     EXPECT_EQ(format_of_name("a.pqr").name, "PQR");
-    // PDB without elements ends with an occupancy and a factor.
-    EXPECT_EQ(detect_format("ATOM      1  N   LEU     1       3.326  25.010  35.700  1.00 18.50\n", "").name, "PDB");
+}
+
+TEST(Pqr, IsKnownWithoutAName) {
+    const auto format = [](const std::string& text) { return detect_format(text, "stdin").name; };
+    for (const std::string head : {"", "REMARK   1 PQR file\nREMARK\n", "# by hand\n\nCRYST1 9 9 9\nMODEL 1\n"}) {
+        EXPECT_EQ(format(head + pqr_two), "PQR") << head;
+    }
+    const std::string place = "ATOM      1  N   LEU A   1       3.326  25.010  35.700";
+    const std::string pdb = place + "  1.00 18.50\n";
+    EXPECT_EQ(format(place + " -0.30  1.85\n"), "PQR");
+    EXPECT_EQ(format(place + "  0.30  1.85\n" + place + " -0.30  1.85\n"), "PQR");
+    EXPECT_EQ(format("ATOM 1 N LEU 1 1.0 2.0 3.0 0.5 1.8\n"), "PQR");
+    EXPECT_EQ(format("HETATM 1 N LEU A 1 1.0 2.0 3.0 0 1.8\n"), "PQR");
+    EXPECT_EQ(format("ATOM 1 N LEU 1 1.0 2.0 3.0 -0.50 1.80\r\n"), "PQR");
+    // A PDB without elements ends with an occupancy and a factor, or with less.
+    EXPECT_EQ(format(pdb), "PDB");
+    EXPECT_EQ(format(pdb + pqr_two.substr(0, 20)), "PDB");
+    EXPECT_EQ(format(place + "  1.00\n"), "PDB");
+    EXPECT_EQ(format(place + "\n"), "PDB");
+    EXPECT_EQ(format(place + " -1.00 18.50           N\n"), "PDB");
+    EXPECT_EQ(format("ATOM      1  N   LEU 1   1       3.326  25.010  35.700  1.00\n"), "PDB");
+    // One that is not in its columns may be either.
+    const std::string either = "ATOM 1 N LEU A 1 1.0 2.0 3.0 1.00 1.80\n";
+    EXPECT_EQ(format(either), "PDB");
+    const std::string said = message_of<InputError>([&] { read_pdb(either, "stdin", {}); });
+    EXPECT_TRUE(said.ends_with("; a PQR is known by a name that ends with .pqr")) << said;
+    EXPECT_EQ(message_of<InputError>([&] { read_pdb(place.substr(0, 40) + "\n", "stdin", {}); }),
+              "stdin:1:41: the line ends, expected the atom's y in columns 39 to 46");
 }
 
 TEST(Pqr, ReadsWhatProgramsWrite) {
