@@ -41,7 +41,7 @@ private:
     bool is_hit(Pixel pixel, std::int32_t number) const {
         const auto index = drawn_.index_of(static_cast<std::uint32_t>(number));
         const Sphere& sphere = scene_.spheres[static_cast<std::size_t>(number)];
-        return index && std::isfinite(places_.at(pixel, sphere, drawn_.side(*index)).error);
+        return index && std::isfinite(places_.at(places_.ray(pixel), sphere, drawn_.side(*index)).error);
     }
 
     const Scene& scene_;

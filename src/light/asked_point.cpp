@@ -8,7 +8,7 @@ AskedPoint::AskedPoint(const HitPlaces& places, Pixel pixel, const Sphere& spher
       pixel_(pixel),
       sphere_(sphere),
       side_(side),
-      place_(place ? *place : places.at(pixel, sphere, side)),
+      place_(place ? *place : places.at(places.ray(pixel), sphere, side)),
       in_integers_(in_integers) {}
 
 const ApproximateLitPoint& AskedPoint::approximate() {

@@ -53,6 +53,7 @@ HitPlaces::HitPlaces(const Camera& camera, PictureSize size, int scale)
       factor_(std::ldexp(1.0, scale)),
       scaled_eye_(camera.eye * factor_),
       rays_(ray_basis<double>(camera, size, scale)),
+      parallel_(unit_ray(rays_, size, {0, 0})),
       exact_basis_(camera),
       error_scale_(error_scale(filter_condition(camera), double_unit)) {
     if (!rays_.in_range || !(error_scale_ < 1.0)) error_scale_ = unknown;
@@ -68,14 +69,18 @@ bool HitPlaces::in_range(const Sphere& sphere) const {
     return in_double_range(taxicab_length(from_eye(sphere.center)) + scaled(sphere.radius));
 }
 
-HitDistance HitPlaces::distance(Pixel pixel, const Sphere& sphere, EyeSide side) const {
+PixelRay HitPlaces::ray(Pixel pixel) const {
+    return {ray_origin(rays_, size_, pixel), rays_.orthographic ? parallel_ : unit_ray(rays_, size_, pixel)};
+}
+
+HitDistance HitPlaces::distance(const PixelRay& ray, const Sphere& sphere, EyeSide side) const {
     const glm::dvec3 center = from_eye(sphere.center);
     const double radius = scaled(sphere.radius);
     const double size = taxicab_length(center) + radius + rays_.reach;
     if (!in_double_range(size) || error_scale_ == unknown) return {0.0, unknown};
-    const glm::dvec3 ray = unit_ray(rays_, size_, pixel);
-    const glm::dvec3 c = center - ray_origin(rays_, size_, pixel);
-    const auto [low, high] = hit_bounds(side, c.x, c.y, c.z, radius, error_scale_ * size, ray.x, ray.y, ray.z);
+    const glm::dvec3 c = center - ray.origin;
+    const glm::dvec3& d = ray.direction;
+    const auto [low, high] = hit_bounds(side, c.x, c.y, c.z, radius, error_scale_ * size, d.x, d.y, d.z);
     if (!std::isfinite(low) || !std::isfinite(high)) return {0.0, unknown};
     return {0.5 * low + 0.5 * high, 0.5 * high - 0.5 * low};
 }
@@ -92,13 +97,12 @@ HitDistance HitPlaces::sharper_distance(Pixel pixel, const Sphere& sphere, EyeSi
     return {middle, half};
 }
 
-HitPlace HitPlaces::at(Pixel pixel, const HitDistance& distance) const {
+HitPlace HitPlaces::at(const PixelRay& ray, const HitDistance& distance) const {
     const auto& [middle, half] = distance;
     if (half == unknown) return {glm::dvec3(0.0), unknown};
-    const glm::dvec3 ray = unit_ray(rays_, size_, pixel);
     // error_scale() is more than what the ray is off; twice that covers the roundings here as well.
     const double error = 1.01 * (half + 2.0 * error_scale_ * (std::fabs(middle) + half + rays_.reach));
-    return {rays_.orthographic ? ray_origin(rays_, size_, pixel) + middle * ray : middle * ray, error};
+    return {ray.origin + middle * ray.direction, error};
 }
 
 bool HitPlaces::begins_outside(Pixel pixel, const Sphere& sphere, EyeSide side) const {

@@ -38,6 +38,12 @@ struct PlaceOffset {
 // largest_double_size, and the place's error finite.
 PlaceOffset offset_from(const HitPlace& place, const glm::dvec3& center, double radius, const glm::dvec3& direction);
 
+// Where the ray of a pixel begins, relative to the eye, and its direction, of length 1; rounded.
+struct PixelRay {
+    glm::dvec3 origin;
+    glm::dvec3 direction;
+};
+
 class HitPlaces {
 public:
     // The camera must outlive it. Its unit of length is 2^-scale of the scene's: double knows nothing of a sphere whose size, as
@@ -53,13 +59,15 @@ public:
     // Whether double can tell anything of the sphere.
     bool in_range(const Sphere& sphere) const;
 
-    // Of the sphere that the pixel shows. `side`: the eye's, here and below.
-    HitPlace at(Pixel pixel, const Sphere& sphere, EyeSide side) const { return at(pixel, distance(pixel, sphere, side)); }
+    PixelRay ray(Pixel pixel) const;
+
+    // Of the sphere that the ray's pixel shows. `side`: the eye's, here and below.
+    HitPlace at(const PixelRay& ray, const Sphere& sphere, EyeSide side) const { return at(ray, distance(ray, sphere, side)); }
     // The same in two steps.
-    HitDistance distance(Pixel pixel, const Sphere& sphere, EyeSide side) const;
+    HitDistance distance(const PixelRay& ray, const Sphere& sphere, EyeSide side) const;
     // In 106 bits, for a sphere that is so much larger than its distance from the eye that double says too little.
     HitDistance sharper_distance(Pixel pixel, const Sphere& sphere, EyeSide side) const;
-    HitPlace at(Pixel pixel, const HitDistance& distance) const;
+    HitPlace at(const PixelRay& ray, const HitDistance& distance) const;
 
     // Whether the pixel's ray begins outside the sphere.
     bool begins_outside(Pixel pixel, const Sphere& sphere, EyeSide side) const;
@@ -85,6 +93,7 @@ private:
     double factor_;  // 2^scale
     glm::dvec3 scaled_eye_;
     RayBasis<double> rays_;
+    glm::dvec3 parallel_;  // the direction of all rays, where it is one
     ExactBasis exact_basis_;
     double error_scale_;
 };

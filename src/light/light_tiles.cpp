@@ -295,6 +295,7 @@ bool LightTiles::list_discs() {
 
 void LightTiles::decide(const LitScene& lit_scene, Points points, const glm::dvec3& direction) {
     std::size_t tried = 0;
+    last_blocker_ = discs_.size();
     sift(lit_scene, points, [&](const Facing& facing) {
         if (++tried % 4096 == 0) check_cancelled();
         return is_lit(lit_scene, facing, direction);
@@ -313,6 +314,12 @@ void LightTiles::ask_unknown(const LitScene& lit_scene, const PointTree& tree, c
 }
 
 bool LightTiles::is_lit(const LitScene& lit_scene, const Facing& facing, const glm::dvec3& direction) {
+    // What shaded the last point mostly shades its neighbour, too.
+    if (last_blocker_ < discs_.size()) {
+        const Disc& disc = discs_[last_blocker_];
+        const float distance = square(facing.x - disc.x) + square(facing.y - disc.y);
+        if (distance < disc.surely_in() && facing.height < disc.low()) return false;
+    }
     const std::size_t at = plane_.index(facing.x, facing.y);
     bool doubt = false;
     for (std::uint32_t i = begins_[at]; i < begins_[at + 1]; ++i) {
@@ -321,7 +328,10 @@ bool LightTiles::is_lit(const LitScene& lit_scene, const Facing& facing, const g
         const float distance = square(facing.x - disc.x) + square(facing.y - disc.y);
         if (distance > disc.surely_out()) continue;
         // Not by the own sphere, whose centre is lower than any point of it that faces the light.
-        if (distance < disc.surely_in() && facing.height < disc.low()) return false;
+        if (distance < disc.surely_in() && facing.height < disc.low()) {
+            last_blocker_ = lists_[i];
+            return false;
+        }
         doubt = true;
     }
     if (!doubt) return true;

@@ -102,6 +102,7 @@ private:
     std::vector<float> cut_;       // every point of the tile below this is in shadow
     PointBits left_;               // faces the light, and is not found to be in shadow
     std::vector<Disc> discs_;
+    std::size_t last_blocker_ = 0;   // a disc that surely shades a point
     std::vector<std::int32_t> far_;  // numbers of spheres, beside the discs
     TreeShadows shadows_;
     std::vector<std::uint32_t> begins_;

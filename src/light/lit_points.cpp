@@ -125,6 +125,8 @@ LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<cons
         return static_cast<std::size_t>(visible[static_cast<std::size_t>(points.places[i])]);
     };
 
+    const auto ray_of = [&](std::size_t i) { return places.ray(pixel_of(i)); };
+
     // Where they all are.
     UninitializedVector<HitDistance> found(points.size());
     Box box;
@@ -139,7 +141,7 @@ LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<cons
                               (largest_of(place.point) + largest_of(places.from_eye(sphere.center)) + places.scaled(sphere.radius));
         return error < most_normal_error * places.scaled(sphere.radius);
     };
-    // find(i): how far the i-th is along its ray.
+    // find(i, ray): how far the i-th is along its ray.
     const auto look = [&](const auto& find) {
         parallel_pieces(points.size(), places_at_once, [&](std::size_t begin, std::size_t end) {
             Box part;
@@ -149,8 +151,9 @@ LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<cons
             std::vector<std::uint32_t> part_without;
             for (std::size_t i = begin; i < end; ++i) {
                 const Sphere& sphere = scene.spheres[number_of(i)];
-                found[i] = find(i);
-                const HitPlace place = places.at(pixel_of(i), found[i]);
+                const PixelRay ray = ray_of(i);
+                found[i] = find(i, ray);
+                const HitPlace place = places.at(ray, found[i]);
                 if (!has_normal(place, sphere)) part_without.push_back(static_cast<std::uint32_t>(i));
                 if (std::isfinite(place.error)) {
                     part.include(place.point, place.point);
@@ -172,19 +175,20 @@ LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<cons
         const HitDistance distance = places.sharper_distance(pixel_of(i), scene.spheres[number_of(i)], sides[number_of(i)]);
         return distance.half < found[i].half ? distance : found[i];
     };
-    look([&](std::size_t i) { return places.distance(pixel_of(i), scene.spheres[number_of(i)], sides[number_of(i)]); });
+    look(
+        [&](std::size_t i, const PixelRay& ray) { return places.distance(ray, scene.spheres[number_of(i)], sides[number_of(i)]); });
     if (const double most = largest_error_in(box); largest_error >= most) {
         // The box may be as wrong as its points.
         box = Box{};
         nearest = none;
         without_normal.clear();
-        look([&](std::size_t i) { return places.at(pixel_of(i), found[i]).error < most ? found[i] : sharper(i); });
+        look([&](std::size_t i, const PixelRay& ray) { return places.at(ray, found[i]).error < most ? found[i] : sharper(i); });
     }
     parallel_pieces(without_normal.size(), places_at_once, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) found[without_normal[k]] = sharper(without_normal[k]);
     });
     for (const std::uint32_t i : without_normal) {
-        const HitPlace place = places.at(pixel_of(i), found[i]);
+        const HitPlace place = places.at(ray_of(i), found[i]);
         if (!std::isfinite(place.error)) continue;
         box.include(place.point, place.point);
         nearest = std::min(nearest, largest_of(place.point));
@@ -197,7 +201,7 @@ LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<cons
             box = Box{};
             std::size_t kept = 0;
             for (std::size_t i = 0; i < points.size(); ++i) {
-                const HitPlace place = places.at(pixel_of(i), found[i]);
+                const HitPlace place = places.at(ray_of(i), found[i]);
                 const bool known = std::isfinite(place.error);
                 const bool stays = known ? largest_of(place.point) >= least : places.in_range(scene.spheres[number_of(i)]);
                 if (!stays) {
@@ -224,7 +228,7 @@ LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<cons
     for (auto* component : {&points.normal_x, &points.normal_y, &points.normal_z}) component->resize(count);
     const double factor = std::ldexp(1.0, -points.exponent);
     const auto is_known = [&](const HitPlace& place, const Sphere& sphere) {
-        return half > 0.0 && std::ldexp(place.error, -points.exponent) < most_error && has_normal(place, sphere);
+        return half > 0.0 && place.error * factor < most_error && has_normal(place, sphere);
     };
     double error = 0.0;
     double farthest = 0.0;
@@ -233,7 +237,7 @@ LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<cons
         double part_farthest = 0.0;
         std::vector<std::uint32_t> part_unknown;
         for (std::size_t i = begin; i < end; ++i) {
-            const HitPlace place = places.at(pixel_of(i), found[i]);
+            const HitPlace place = places.at(ray_of(i), found[i]);
             const std::size_t number = number_of(i);
             const Sphere& sphere = scene.spheres[number];
             glm::dvec3 p(0.0);
@@ -261,7 +265,7 @@ LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<cons
         points.unknown.insert(points.unknown.end(), part_unknown.begin(), part_unknown.end());
     });
     std::ranges::sort(points.unknown);
-    for (const std::uint32_t i : points.unknown) points.unknown_places.push_back(places.at(pixel_of(i), found[i]));
+    for (const std::uint32_t i : points.unknown) points.unknown_places.push_back(places.at(ray_of(i), found[i]));
     // The differences here round in double, which is next to nothing beside float's unit.
     points.error = static_cast<float>(1.01 * error + 0x1p-27);
     points.farthest = static_cast<float>(1.001 * square_root(farthest) + 1e-30);

@@ -58,7 +58,9 @@ inline constexpr double most_normal_error = 0x1p-22;
 // A component of a unit normal as LitPoints keep it.
 inline std::int16_t whole_normal(double component) {
     constexpr double unit = LitPoints::normal_unit;
-    return static_cast<std::int16_t>(std::floor(std::clamp(component * unit, -unit, unit) + 0.5));
+    // Rounded by what is cut off of a positive number: std::floor is a call where SSE 4.1 is not sure.
+    return static_cast<std::int16_t>(static_cast<int>(std::clamp(component * unit, -unit, unit) + (unit + 0.5)) -
+                                     static_cast<int>(unit));
 }
 
 // Which set of lights a point belongs to, with so many points along the side of a pixel.

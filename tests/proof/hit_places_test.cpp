@@ -40,9 +40,9 @@ Largest largest_errors_of_places(bool parallel, int trials) {
         const Truth truth = true_hit(trial);
         if (camera_fault(trial.camera) || !truth.hit) continue;
         const HitPlaces places(trial.camera, trial.size);
-        const HitDistance distance = places.distance(trial.pixel, trial.sphere, truth.side);
+        const HitDistance distance = places.distance(places.ray(trial.pixel), trial.sphere, truth.side);
         if (!std::isfinite(distance.half)) continue;
-        const HitPlace place = places.at(trial.pixel, distance);
+        const HitPlace place = places.at(places.ray(trial.pixel), distance);
         ++largest.known;
         // A point exactly as far as is said is none that can be off.
         const double off = std::fabs(truth.distance - distance.middle);
