@@ -28,13 +28,22 @@ def spheres(scene: Path) -> Iterator[tuple[list[int], list[str], str]]:
             yield [int(channel) for channel in color.split()], center.split(), radius.strip()
 
 
+def shift_into_view(scene: Path) -> tuple[float, float, float]:
+    """What brings a scene of any place before the camera that looks from (0, 0, 0) along z, as large as it is seen whole."""
+    places = [([float(coordinate) for coordinate in center], float(radius)) for _, center, radius in spheres(scene)]
+    low = [min(center[axis] - radius for center, radius in places) for axis in range(3)]
+    high = [max(center[axis] + radius for center, radius in places) for axis in range(3)]
+    return (-0.5 * (low[0] + high[0]), -0.5 * (low[1] + high[1]), max(high[0] - low[0], high[1] - low[1]) - low[2])
+
+
 # An area light that is this wide, from where the key light comes: so many lights along a side, all of them asked for each point.
 POVRAY_LIGHT = """#default { finish { ambient 0.1 diffuse 0.8 } }
 light_source { <-45e3, 75e3, -55e3> rgb 1 parallel point_at <0, 0, 400> area_light <40e3, 0, 0>, <0, 0, 40e3>, {side}, {side} }
 """
 
 
-def write_tachyon(scene: Path, path: Path, lit: bool = False) -> None:
+def write_tachyon(scene: Path, path: Path, lit: bool = False, shift: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> None:
+    """`shift`: of all centres."""
     # Its rays go through the corners of the pixels; the whole scene is sheared by half a pixel to make up for that. It rounds
     # colours down.
     half_pixel = 0.5 / SIDE
@@ -42,7 +51,7 @@ def write_tachyon(scene: Path, path: Path, lit: bool = False) -> None:
     with path.open("w") as out:
         out.write(TACHYON_BEGIN)
         for color, center, radius in spheres(scene):
-            x, y, z = (float(coordinate) for coordinate in center)
+            x, y, z = (float(coordinate) + by for coordinate, by in zip(center, shift))
             rgb = " ".join(f"{(channel + 0.5) / 255:.6f}" for channel in color)
             out.write(f"SPHERE CENTER {x + half_pixel * z!r} {y + half_pixel * z!r} {z!r} RAD {radius} "
                       f"TEXTURE {finish} SPECULAR 0 OPACITY 1 COLOR {rgb} TEXFUNC 0\n")

@@ -10,12 +10,13 @@ import sys
 from pathlib import Path
 
 from harness import MILLION, ROOT, Bench, CannotRun, Case, Row, progress
-from peer_scenes import SIDE, write_tachyon
+from peer_scenes import SIDE, shift_into_view, write_tachyon
 
 # Spheres, and frames of each.
 SETS = {200: 1000, 10_000: 1000, MILLION: 8}
 LIT_SHARE = 4  # a quarter of them is lit: a frame takes longer
-LIT = ["--shade", "studio", "--lights", "16"]
+SKY_RAYS = 16  # of each point toward the sky, ours and the others'
+LIT = ["--shade", "studio", "--lights", str(SKY_RAYS)]
 PEER_FRAMES = {200: 20, 10_000: 20, MILLION: 2}  # of the others, whose frames take longer
 LARGE_BYTES = 2_000_000_000
 GOAL = 10  # times OVITO's frames a second, at 10,000 atoms
@@ -50,7 +51,8 @@ def in_parts(command: list[str], parts: int) -> list[str]:
 
 
 def ovito(path: Path, frames: int, lit: bool) -> list[str]:
-    return [os.environ.get("OVITO_PYTHON", sys.executable), str(ROOT / "bench" / "ovito_frames.py"), str(path), str(frames), str(SIDE), "lit" if lit else "flat"]
+    return [os.environ.get("OVITO_PYTHON", sys.executable), str(ROOT / "bench" / "ovito_frames.py"), str(path), str(frames), str(SIDE),
+            str(SKY_RAYS if lit else 0)]
 
 
 def tachyon(bench: Bench, path: Path, frames: int, lit: bool) -> list[str]:
@@ -60,9 +62,9 @@ def tachyon(bench: Bench, path: Path, frames: int, lit: bool) -> list[str]:
         text, scene = bench.out / "frame.txt", bench.out / f"{path.stem}-{frame}-{'lit' if lit else 'flat'}.dat"
         subprocess.run([bench.program("sphereview"), "convert", str(path), str(text), "--frame", str(frame)], check=True,
                        stderr=subprocess.DEVNULL)
-        write_tachyon(text, scene, lit)
+        write_tachyon(text, scene, lit, shift_into_view(text))
         scenes.append(scene)
-    options = ["-fullshade", "-aasamples", "0"] if lit else ["-lowshade"]
+    options = ["-fullshade", "-auto_skylight", "1", "-skylight_samples", str(SKY_RAYS)] if lit else ["-lowshade"]
     run = f'for scene in "$@"; do tachyon "$scene" {" ".join(options)} -format PNG -o "{bench.out}/tachyon.png" >/dev/null || exit 1; done'
     return ["sh", "-c", run, "sh", *map(str, scenes)]
 
