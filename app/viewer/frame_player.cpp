@@ -112,12 +112,44 @@ FrameNews stop(ViewerState& state) {
     return FrameNews::stopped;
 }
 
+std::string words_of_fault(const WantedFrame& wanted) {
+    if (wanted.passed_over < 2) return wanted.fault;
+    return wanted.fault + "\nNor can " + in_groups(static_cast<std::uint64_t>(wanted.passed_over - 1)) + " more";
+}
+
+// The next one that way is wanted instead of a frame that cannot be read. Under the handle none is: it would slip away.
+FrameNews pass_over(ViewerState& state, const std::string& fault) {
+    FramePlayer& player = state.player;
+    WantedFrame wanted = *player.wanted;
+    if (wanted.fault.empty()) wanted.fault = "Frame " + std::to_string(wanted.frame) + " cannot be read: " + fault;
+    if (player.choices.handle_held && !wanted.by_clock) {
+        if (!player.wanted->fault.empty()) return FrameNews::none;
+        player.wanted = wanted;
+        announce(state, wanted.fault);
+        return FrameNews::stopped;
+    }
+    ++wanted.passed_over;
+    const std::optional<std::int64_t> next = wanted.by_clock
+                                                 ? player.clock.step_from(wanted.frame, player.choices.repeat, known_frames(state))
+                                                 : std::optional(wanted.frame + (wanted.frame > state.frame ? 1 : -1));
+    if (!next && !player.all_frames) return FrameNews::none;  // until more are found
+    if (next && has_frame(state, *next) && wanted.passed_over < state.frames) {
+        want(state, *next, wanted.by_clock);
+        player.wanted->passed_over = wanted.passed_over;
+        player.wanted->fault = wanted.fault;
+        return FrameNews::none;
+    }
+    player.wanted.reset();
+    announce(state, words_of_fault(wanted));
+    return wanted.by_clock ? stop(state) : FrameNews::stopped;
+}
+
 FrameNews show_wanted(ViewerState& state, PlayClock::Time now) {
     FramePlayer& player = state.player;
     const std::int64_t frame = player.wanted->frame;
     const bool plays = player.clock.plays();
     if (std::optional<LoadedScene> loaded = player.ahead->take(frame)) {
-        player.wanted.reset();
+        const std::string passed_over = words_of_fault(*std::exchange(player.wanted, std::nullopt));
         if (!may_leave_frame(state)) {  // edited while it was read
             stop(state);
             with_own_edits_safe(state, [&state, frame, plays] {
@@ -128,7 +160,7 @@ FrameNews show_wanted(ViewerState& state, PlayClock::Time now) {
             return FrameNews::stopped;
         }
         const PlayClock::Beat beat = beat_to(state, frame);
-        adopt_frame(state, frame, std::move(*loaded), player.opened);
+        adopt_frame(state, frame, std::move(*loaded), player.opened, passed_over);
         player.clock.shown(beat, now);
         source(state).want(frames_behind(state, frame));
         return FrameNews::frame;
@@ -147,6 +179,7 @@ FrameNews show_wanted(ViewerState& state, PlayClock::Time now) {
         adopt_frame(state, passed->number, std::move(passed->loaded), player.opened);
         return FrameNews::frame;
     }
+    if (!player.ahead->has_no_file()) return pass_over(state, *fault);
     stop(state);
     player.ahead.reset();
     report_error(state, "Frame " + std::to_string(frame) + " cannot be read", *fault);
@@ -231,8 +264,12 @@ void show_frame(ViewerState& state, std::int64_t frame) {
         if (!has_frame(state, frame) || frame == state.frame) return;  // saving may have made it another file
         want(state, frame, false);
         if (!is_read_at_once(state.path) || waits_for_file(state)) return;
-        state.player.ahead->wait_for(frame);
-        show_wanted(state, PlayClock::Time::clock::now());
+        std::int64_t latest = -1;
+        for (const FramePlayer& player = state.player; player.wanted && player.wanted->frame != latest;) {
+            latest = player.wanted->frame;
+            player.ahead->wait_for(latest);
+            show_wanted(state, PlayClock::Time::clock::now());
+        }
     });
 }
 

@@ -20,7 +20,9 @@ struct ViewerState;
 
 struct WantedFrame {
     std::int64_t frame = 0;
-    bool by_clock = false;  // else by the person
+    bool by_clock = false;         // else by the person
+    std::int64_t passed_over = 0;  // frames on the way that cannot be read,
+    std::string fault{};           // and what is said of the first of them
 };
 
 // What the viewer remembers of them.

@@ -161,6 +161,11 @@ std::optional<std::string> FramesAhead::fault_of(std::int64_t frame) const {
     return fault == shared_->faults.end() ? std::nullopt : std::optional(fault->second);
 }
 
+bool FramesAhead::has_no_file() const {
+    const std::lock_guard lock(shared_->mutex);
+    return !shared_->no_file.empty();
+}
+
 void FramesAhead::wait_for(std::int64_t frame) const {
     std::unique_lock lock(shared_->mutex);
     shared_->changed.wait(lock, [&] { return shared_->is_done(frame); });

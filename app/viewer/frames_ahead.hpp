@@ -48,6 +48,8 @@ public:
     std::optional<double> time_of(std::int64_t frame) const;
     // Why a frame that is wanted cannot be read.
     std::optional<std::string> fault_of(std::int64_t frame) const;
+    // Whether that is so of every frame: the file cannot be read.
+    bool has_no_file() const;
     // Waits until the frame, which is wanted, is read or has a fault.
     void wait_for(std::int64_t frame) const;
 

@@ -294,7 +294,7 @@ void ask_for_scene(ViewerState& state) {
     state.dialogs.push_back(std::move(browser));
 }
 
-void adopt_frame(ViewerState& state, std::int64_t frame, LoadedScene loaded, const FileStates& stamp) {
+void adopt_frame(ViewerState& state, std::int64_t frame, LoadedScene loaded, const FileStates& stamp, const std::string& first) {
     const bool same_spheres = loaded.scene.spheres.size() == state.scene().spheres.size();
     const bool measures = state.measuring.revision == state.document.names_revision();
     take_shared_edits(state, loaded.scene.spheres.size());
@@ -318,7 +318,7 @@ void adopt_frame(ViewerState& state, std::int64_t frame, LoadedScene loaded, con
     };
     std::erase_if(loaded.warnings, was_said);
     std::erase_if(loaded.notes, was_said);
-    announce_reading(state, "", loaded);
+    announce_reading(state, was_said(first) ? "" : first, loaded);
 }
 
 void look_at_file(ViewerState& state) {

@@ -27,8 +27,9 @@ FileBrowser saving_dialog(const ViewerState& state, const std::string& title, co
 // The formats that are `wanted`, as such a dialog offers them.
 std::vector<FileKind> kinds_of(bool (*wanted)(const SceneFormat&));
 
-// The document becomes another frame of its file, which was as `stamp` says.
-void adopt_frame(ViewerState& state, std::int64_t frame, LoadedScene loaded, const FileStates& stamp);
+// The document becomes another frame of its file, which was as `stamp` says. `first` is to be said before what the reader says.
+void adopt_frame(ViewerState& state, std::int64_t frame, LoadedScene loaded, const FileStates& stamp,
+                 const std::string& first = "");
 
 // Reads the file again if it is not as the program left it. A broken file leaves the scene as it is, and says so, and so does one
 // that is gone; edits that are not saved are lost only if the person says so.

@@ -1,4 +1,6 @@
 // Frames that are stepped through, played and looked for by the handle.
+#include <utility>
+
 #include "unit/frames_in_viewer.hpp"
 
 namespace sphereview {
@@ -99,22 +101,82 @@ TEST_F(FramePlayerTest, WaitsWhileSomethingIsInTheHandOrAsked) {
     EXPECT_EQ(next(3s), FrameNews::frame);
 }
 
-TEST_F(FramePlayerTest, AFaultStopsItWithOneMessage) {
-    open(moved_frames(2) + "2\n\nO 0 0 1\nH x 0 1\n" + moved_frames(1));
-    EXPECT_EQ(state.frames, 4);
+struct DamagedFramesTest : FramesInViewer {
+    // Frames 2, 5 and 6 of 0..6 have a wrong value.
+    DamagedFramesTest() {
+        const std::string bad = "2\n\nO 0 0 1\nH x 0 1\n";
+        open(moved_frames(2) + bad + moved_frames(2) + bad + bad);
+        EXPECT_EQ(state.frames, 7);
+    }
+    void expect_said(const std::string& beginning, const std::string& end) {
+        const std::string said = std::exchange(state.messages.announcement, "");
+        EXPECT_TRUE(said.starts_with(beginning)) << said;
+        EXPECT_TRUE(said.ends_with(end)) << said;
+        EXPECT_TRUE(state.dialogs.empty());
+    }
+};
+
+TEST_F(DamagedFramesTest, AreSteppedOver) {
+    run(CommandId::next_frame);
+    run(CommandId::next_frame);
+    EXPECT_EQ(state.frame, 3);
+    EXPECT_EQ(sphere(0).center.x, 0.0);
+    expect_said("Frame 2 cannot be read: " + path + ":12:3: found 'x'", "a number");
+    run(CommandId::previous_frame);
+    EXPECT_EQ(state.frame, 1);
+    expect_said("Frame 2 cannot be read: ", "a number");
+    show_frame(state, 4);
+    run(CommandId::next_frame);
+    EXPECT_EQ(state.frame, 4) << "none behind can be read";
+    EXPECT_FALSE(state.player.wanted);
+    expect_said("Frame 5 cannot be read: " + path + ":24:3", "\nNor can 1 more");
+}
+
+TEST_F(DamagedFramesTest, ArePlayedOverWithOneMessage) {
+    run(CommandId::back_and_forth);
     play();
-    EXPECT_EQ(next(50ms), FrameNews::frame);
+    std::vector<std::string> said;
+    for (const int frame : {1, 3, 4, 4, 3, 1, 0, 1, 3, 4, 4}) {
+        ASSERT_EQ(next(50ms), FrameNews::frame);
+        EXPECT_EQ(state.frame, frame);
+        said.push_back(std::exchange(state.messages.announcement, ""));
+    }
+    std::erase(said, "");
+    ASSERT_EQ(said.size(), 2U);
+    EXPECT_TRUE(said[0].starts_with("Frame 2 cannot be read: ")) << said[0];
+    EXPECT_TRUE(said[1].starts_with("Frame 5 cannot be read: ")) << said[1];
+    EXPECT_TRUE(plays());
+    EXPECT_TRUE(state.dialogs.empty());
+    run(CommandId::loop);
+    for (const int frame : {0, 1}) {
+        ASSERT_EQ(next(50ms), FrameNews::frame);
+        EXPECT_EQ(state.frame, frame);
+    }
+}
+
+TEST_F(DamagedFramesTest, EndAFilmThatHasNoOthers) {
+    show_frame(state, 4);
+    play();
     EXPECT_EQ(next(50ms), FrameNews::stopped);
     EXPECT_FALSE(plays());
+    EXPECT_EQ(state.frame, 4);
+    expect_said("Frame 5 cannot be read: ", "\nNor can 1 more");
+}
+
+TEST_F(DamagedFramesTest, StayUnderTheHandleUntilItIsLetGo) {
+    state.player.choices.handle_held = true;
+    show_frame(state, 2);
+    EXPECT_EQ(timeline_facts(state).wanted, 2);
+    expect_said("Frame 2 cannot be read: ", "a number");
+    EXPECT_EQ(follow_player(state, now, false), FrameNews::none);
+    EXPECT_EQ(state.messages.announcement, "") << "once";
+    EXPECT_EQ(state.frame, 0);
+    show_frame(state, 4);
+    EXPECT_EQ(state.frame, 4);
+    show_frame(state, 2);
+    state.player.choices.handle_held = false;
+    EXPECT_EQ(next(0ms), FrameNews::frame);
     EXPECT_EQ(state.frame, 1);
-    ASSERT_EQ(state.dialogs.size(), 1U);
-    EXPECT_EQ(question()->title, "Frame 2 cannot be read");
-    EXPECT_NE(question()->text.find("a.xyz:12:3: found 'x'"), std::string::npos) << question()->text;
-    state.dialogs.clear();
-    EXPECT_EQ(follow_player(state, now + 1s, false), FrameNews::none);
-    EXPECT_TRUE(state.dialogs.empty());
-    show_frame(state, 3);
-    EXPECT_EQ(state.frame, 3) << "the others can be shown";
 }
 
 // Of a large file no more is read than the first frame needs; the others are counted meanwhile.
