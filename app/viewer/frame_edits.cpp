@@ -160,12 +160,20 @@ void cross_reload(ViewerState& state, bool undoes, const std::function<void()>& 
     state.autosave.shows_frame(state.document, lacks_edited_spheres(state));
 }
 
+void apply_recovered(ViewerState& state, Scene kept, bool has_numbers) {
+    if (kept == state.scene()) return state.document.mark_unsaved();  // other frames had more
+    note_edits_before_reload(state, state.scene());
+    state.player.edits = state.player.reloads.edits.back();
+    state.document.apply(ReplaceScene{std::move(kept)}, "Recovered changes");
+    state.player.edits.numbers_order = has_numbers ? state.document.order_revision() : 0;
+}
+
 void take_shared_edits(ViewerState& state, std::size_t next_size) {
     FrameEdits& edits = state.player.edits;
     FrameChanges shared = shared_edits_now(state);
     // What it got from others is kept already.
     if (shared.go_beyond(next_size) && state.document.revision() != edits.given_revision) {
-        state.autosave.keep_before_reading(state.document, state.path);
+        state.autosave.keep_before_reading(state.document, edited_file(state));
     }
     edits.redone = redone_edits(state);
     if (edits.redone == shared) edits.redone.reset();

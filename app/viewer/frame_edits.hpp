@@ -60,6 +60,9 @@ void note_edits_before_reload(ViewerState& state, const Scene& reloaded);
 // That is to be undone, or redone, by `step`: so are the edits of all frames.
 void cross_reload(ViewerState& state, bool undoes, const std::function<void()>& step);
 
+// The frame that is shown, as it was read, becomes a scene that was kept of it, as a step that can be undone.
+void apply_recovered(ViewerState& state, Scene kept, bool has_numbers);
+
 // Another frame, of so many spheres, is about to be shown, and the document to be replaced: takes along what the present one
 // shares, and what it would share if what is undone was redone. Leaves the document in any state.
 void take_shared_edits(ViewerState& state, std::size_t next_size);

@@ -291,7 +291,7 @@ void play_frames(ViewerState& state) {
     with_own_edits_safe(state, [&state] {
         if (!has_several_frames(state)) return;
         FramePlayer& player = state.player;
-        state.autosave.keep_before_reading(state.document, state.path);
+        state.autosave.keep_before_reading(state.document, edited_file(state));
         player.clock.play(PlayClock::Time::clock::now());
         const bool at_end = player.all_frames && state.frame + 1 >= state.frames;
         if (at_end && player.choices.repeat == Repeat::once) return want(state, 0, true);

@@ -1,6 +1,7 @@
 #include "viewer/recovery.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <exception>
 #include <filesystem>
@@ -25,12 +26,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The file begins with two comments, so that both are replaced in one step with the scene.
+// The file begins with two comments, or three, so that they are replaced in one step with the scene.
 constexpr std::string_view prefix = "recovery-";
 constexpr std::string_view ending = ".toml";
 constexpr std::string_view lock_ending = ".lock";
 constexpr std::string_view time_mark = "# sphereview recovery, milliseconds since 1970: ";
 constexpr std::string_view original_mark = "# of: ";
+constexpr std::string_view frame_mark = "# frame, bytes and time of the file, whether numbers are the file's: ";
 
 using Milliseconds = std::chrono::milliseconds;
 constexpr auto latest =
@@ -131,6 +133,22 @@ std::optional<std::string_view> marked_line(std::string_view& text, std::string_
     return line.starts_with(mark) ? std::optional(line.substr(mark.size())) : std::nullopt;
 }
 
+std::string in_numbers(const EditedFrame& frame) {
+    return std::to_string(frame.number) + ' ' + std::to_string(frame.file_size) + ' ' + std::to_string(frame.file_time) + ' ' +
+           (frame.has_numbers ? '1' : '0');
+}
+
+std::optional<EditedFrame> frame_from(std::string_view numbers) {
+    std::array<std::int64_t, 4> values{};
+    for (std::int64_t& value : values) {
+        if (!numbers.empty() && numbers.front() == ' ') numbers.remove_prefix(1);
+        const auto read = std::from_chars(numbers.data(), numbers.data() + numbers.size(), value);
+        if (read.ec != std::errc()) return {};
+        numbers.remove_prefix(static_cast<std::size_t>(read.ptr - numbers.data()));
+    }
+    return EditedFrame{values[0], values[1], values[2], values[3] != 0};
+}
+
 std::optional<Recovery> read_head(const fs::path& file) {
     constexpr std::size_t longest_head = 65536;
     InputStream stream(text_from(file));
@@ -142,7 +160,10 @@ std::optional<Recovery> read_head(const fs::path& file) {
     if (!time || !original || std::from_chars(time->data(), time->data() + time->size(), count).ec != std::errc()) return {};
     const auto path = unescaped(*original);
     if (!path || count < 0 || Milliseconds(count) > latest) return {};
-    return Recovery{text_from(file), *path, std::chrono::system_clock::time_point(Milliseconds(count))};
+    const auto frame = marked_line(text, frame_mark);
+    return Recovery{text_from(file),
+                    {*path, frame ? frame_from(*frame) : std::nullopt},
+                    std::chrono::system_clock::time_point(Milliseconds(count))};
 }
 
 // The recovery files whose processes hold their locks, or have ended, or may have.
@@ -163,7 +184,19 @@ std::vector<fs::path> files_of(FileLock::Holder holder) {
 
 }  // namespace
 
-bool write_recovery(const Scene& scene, const std::string& original, std::size_t complete_up_to) noexcept {
+std::optional<EditedFrame> edited_frame(const FileStates& file, std::int64_t number, bool has_numbers) {
+    const auto state = file.find("");
+    if (state == file.end()) return std::nullopt;
+    return EditedFrame{number, static_cast<std::int64_t>(state->second.size),
+                       static_cast<std::int64_t>(state->second.time.time_since_epoch().count()), has_numbers};
+}
+
+EditedFile edited_file(const ViewerState& state) {
+    if (!has_several_frames(state)) return {state.path, {}};
+    return {state.path, edited_frame(state.stamp, state.frame, has_numbers_of_file(state))};
+}
+
+bool write_recovery(const Scene& scene, const EditedFile& original, std::size_t complete_up_to) noexcept {
     try {
         const fs::path folder = state_folder();
         if (!make_user_folder(folder)) return false;
@@ -172,8 +205,9 @@ bool write_recovery(const Scene& scene, const std::string& original, std::size_t
         text += std::to_string(std::chrono::duration_cast<Milliseconds>(now).count());
         text += '\n';
         text += original_mark;
-        text += escaped(original.empty() ? "" : absolute_path(original));
+        text += escaped(original.path.empty() ? "" : absolute_path(original.path));
         text += '\n';
+        if (original.frame) text += std::string(frame_mark) + in_numbers(*original.frame) + '\n';
         text += write_scene(scene, SceneFormat::toml);
         write_output(text_from(own().in(folder, complete_up_to)), text);
         own().note_written(complete_up_to);
@@ -197,7 +231,7 @@ std::vector<Recovery> list_recoveries() {
 }
 
 std::string in_words(const Recovery& recovery) {
-    const std::string& of = recovery.original;
+    const std::string& of = recovery.original.path;
     return "sphereview ended with unsaved changes of " + (of.empty() ? std::string("an untitled scene") : on_one_line(of)) + ".";
 }
 
@@ -228,7 +262,7 @@ bool remove_own_recovery() noexcept {
     }
 }
 
-void Autosave::look(const Document& document, const std::string& original, Clock::time_point now) {
+void Autosave::look(const Document& document, const EditedFile& original, Clock::time_point now) {
     if (job_ && !job_->ended()) {
         due_ = now + look_again;
         return;
@@ -250,7 +284,7 @@ void Autosave::look(const Document& document, const std::string& original, Clock
     }
 }
 
-void Autosave::begin(const Document& document, const std::string& original) {
+void Autosave::begin(const Document& document, const EditedFile& original) {
     tried_ = document.revision();
     kept_ = true;
     due_.reset();
@@ -280,13 +314,13 @@ void Autosave::finish() {
     job_.reset();
 }
 
-bool Autosave::keep(const Document& document, const std::string& original) {
+bool Autosave::keep(const Document& document, const EditedFile& original) {
     begin(document, original);
     finish();
     return written_->done;
 }
 
-std::shared_ptr<const BackgroundJob> Autosave::keep_before_reading(const Document& document, const std::string& original) {
+std::shared_ptr<const BackgroundJob> Autosave::keep_before_reading(const Document& document, const EditedFile& original) {
     if (document.is_changed() && document.revision() != tried_) begin(document, original);
     return job_;
 }
@@ -296,14 +330,14 @@ void Autosave::shows_frame(const Document& document, bool lacks_changed_spheres)
     if (lacks_changed_spheres && kept_) tried_ = instead_of_ = document.revision();
 }
 
-bool Autosave::keep_at_end(const Document& document, const std::string& original) const {
+bool Autosave::keep_at_end(const Document& document, const EditedFile& original) const {
     const bool stays = kept_ && instead_of_ == document.revision() && written_->done;
     return stays || write_recovery(document.scene(), original, complete_up_to_);
 }
 
 std::string keep_unsaved(const ViewerState& state) {
     if (!state.document.is_changed() && !state.saving) return "";  // a save may not be finished
-    const bool kept = state.autosave.keep_at_end(state.document, state.path);
+    const bool kept = state.autosave.keep_at_end(state.document, edited_file(state));
     return "unsaved changes of " + state.name() + (kept ? " are kept; the next start offers them" : " could not be kept");
 }
 

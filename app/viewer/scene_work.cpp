@@ -66,7 +66,7 @@ bool is_read_at_once(const std::string& path) {
 }
 
 void start_loading(ViewerState& state, LoadRequest request) {
-    const auto kept = state.autosave.keep_before_reading(state.document, state.path);
+    const auto kept = state.autosave.keep_before_reading(state.document, edited_file(state));
     const bool waits = kept && !kept->ended();
     const bool at_once = !waits && is_read_at_once(request.path) && state.scene().spheres.size() <= spheres_at_once;
     auto loaded = std::make_shared<LoadedScene>();

@@ -1,5 +1,4 @@
 // sphereview [SCENE]: the window.
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdio>
@@ -19,6 +18,7 @@
 #include "base/standard_streams.hpp"
 #include "base/text.hpp"
 #include "platform/gl_context.hpp"
+#include "viewer/offer_recovery.hpp"
 #include "viewer/recovery.hpp"
 #include "viewer/scene_file.hpp"
 #include "viewer/scene_saving.hpp"
@@ -60,45 +60,6 @@ void say_of_edits(const std::string& said) {
     say("sphereview: " + said + way_out);
     std::fflush(stderr);  // of all, one may be locked: a read of standard input waits on another thread
     std::_Exit(static_cast<int>(ExitCode::no_renderer));
-}
-
-void recover(ViewerState& state, const Recovery& recovery) {
-    const std::string path = recovery.original;
-    const auto accept = [&state, path, recovery](LoadedScene loaded) {
-        if (!path.empty()) loaded.format = format_of_name(path);
-        adopt(state, std::move(loaded), path);
-        state.document.mark_unsaved();
-        // Now they are this process's to keep: until they are, their file stays.
-        if (state.autosave.keep(state.document, state.path)) remove_recovery(recovery.file);
-        announce(state, "Recovered the unsaved changes of " + on_one_line(state.name()));
-    };
-    const auto fail = [&state](const std::string& why) { report_error(state, "The changes cannot be recovered", why); };
-    start_loading(state, {.path = recovery.file, .accept = accept, .fail = fail});
-}
-
-void offer_recovery(ViewerState& state) {
-    std::vector<Recovery> recoveries = list_recoveries();
-    std::ranges::reverse(recoveries);  // the last question is asked first: of the latest changes
-    for (const Recovery& recovery : recoveries) {
-        Question question;
-        question.id = "recover";
-        question.title = "Recover unsaved changes?";
-        question.text = in_words(recovery);
-        question.answers = {"Recover", "Discard", "Later"};
-        question.cancel = 2;
-        question.answer = [&state, recovery](int answer) {
-            // What was recovered before may not be saved yet.
-            if (answer == 0) with_edits_safe(state, [&state, recovery] { recover(state, recovery); });
-            if (answer == 1) remove_recovery(recovery.file);
-        };
-        state.dialogs.push_back(std::move(question));
-    }
-    if (const std::vector<std::string> unclear = unclear_recoveries(); !unclear.empty()) {
-        const std::string others = unclear.size() > 1 ? " and " + in_groups(unclear.size() - 1) + " more" : "";
-        say("sphereview: " + unclear.front() + others +
-            ": these unsaved changes are not offered, because it cannot be told whether their window still runs; open them as "
-            "scenes");
-    }
 }
 
 void adopt_first_scene(ViewerState& state, LoadedScene loaded) {

@@ -48,7 +48,7 @@ void Viewer::run(const std::function<bool()>& interrupted) {
     while (!state_.quits && !interrupted()) {
         if ((pacing_.rests() || pacing_.refines()) && input_.empty() && !plays() && autosaves()) {
             const std::lock_guard lock(state_.changing);
-            state_.autosave.look(state_.document, state_.path, Clock::now());
+            state_.autosave.look(state_.document, edited_file(state_), Clock::now());
         }
         keep_recent_files();
         wait_for_work();
@@ -109,7 +109,7 @@ void Viewer::wait_for_work() {
         } else {
             shaders_changed_ = true;
             // A driver's compiler may end the program.
-            edits_kept_ = state_.autosave.keep_before_reading(state_.document, state_.path);
+            edits_kept_ = state_.autosave.keep_before_reading(state_.document, edited_file(state_));
         }
         pacing_.touch();
     }

@@ -174,7 +174,7 @@ TEST_F(FrameEditsTest, WhatAFrameCannotShowIsAskedAboutAndKept) {
     show_frame(state, 2);
     EXPECT_TRUE(state.document.is_changed());
     // The recovery is of the frame that has them.
-    for (const auto later : {0s, 10s, 20s}) state.autosave.look(state.document, state.path, Autosave::Clock::now() + later);
+    for (const auto later : {0s, 10s, 20s}) state.autosave.look(state.document, edited_file(state), Autosave::Clock::now() + later);
     state.autosave.finish();
     EXPECT_NE(keep_unsaved(state).find("are kept"), std::string::npos);
     std::size_t kept = 0;

@@ -1,9 +1,10 @@
-// What is kept of changes that are for all frames, where frames are of several sizes.
+// What is kept of changes that are for all frames, where frames are of several sizes, and how it comes back.
 #include <algorithm>
 #include <filesystem>
 #include <numeric>
 
 #include "unit/frames_in_viewer.hpp"
+#include "viewer/offer_recovery.hpp"
 
 namespace sphereview {
 
@@ -22,7 +23,7 @@ struct FrameRecoveryTest : FramesInViewer {
     // As the loop does while nobody does anything.
     void wait_some_time() {
         for (int i = 0; i < 4; ++i) {
-            state.autosave.look(state.document, state.path, now += 1h);
+            state.autosave.look(state.document, edited_file(state), now += 1h);
             state.autosave.finish();
         }
     }
@@ -39,6 +40,26 @@ struct FrameRecoveryTest : FramesInViewer {
         std::vector<std::size_t> sizes;
         for (const Scene& scene : kept()) sizes.push_back(scene.spheres.size());
         return sizes;
+    }
+    // As if the window was killed, and the next one asked.
+    void kill_and_recover(const std::function<void()>& meanwhile = [] {}) {
+        ASSERT_TRUE(state.autosave.keep(state.document, edited_file(state)));
+        for (const auto& file : std::filesystem::directory_iterator(folder.path("state/sphereview"))) {
+            if (file.path().extension() == ".toml") std::filesystem::copy_file(file, folder.path("left.toml"));
+        }
+        remove_own_recovery();
+        adopt(state, {.format = SceneFormat::toml}, "");
+        std::filesystem::rename(folder.path("left.toml"), folder.path("state/sphereview/recovery-1.toml"));
+        meanwhile();
+        const std::vector<Recovery> left = list_recoveries();
+        ASSERT_EQ(left.size(), 1U);
+        recover(state, left.front());
+        EXPECT_TRUE(test::eventually([&] {
+            finish_work(state);
+            return !state.loading;
+        }));
+        EXPECT_TRUE(state.document.is_changed());
+        EXPECT_TRUE(list_recoveries().empty()) << "this window's now";
     }
 };
 
@@ -138,6 +159,68 @@ TEST_F(FrameRecoveryTest, TheQuestionSaysWhatGoesAlong) {
     EXPECT_TRUE(words().ends_with("hidden go along.")) << words();
     run_command(state, CommandId::add_sphere);
     EXPECT_TRUE(words().ends_with("only as they were before spheres were added, deleted or reordered here.")) << words();
+}
+
+TEST_F(FrameRecoveryTest, ARecoveredFrameIsOneOfItsFileAgain) {
+    rename(1, "second");
+    edit(1, [](Sphere& s) { s.hidden = true; });
+    kill_and_recover();
+    EXPECT_EQ(state.frames, 4);
+    EXPECT_EQ(state.frame, 1);
+    EXPECT_EQ(reach_of_edits(state), EditsReach::all_frames);
+    show_frame(state, 2);
+    EXPECT_TRUE(sphere(1).hidden);
+    EXPECT_EQ(name_of(state.scene(), 1), "second");
+    // What is recovered can be taken back, also around a reload.
+    kill_and_recover();
+    EXPECT_EQ(state.frame, 2);
+    edit(0, [](Sphere& s) { s.color = {1, 2, 3}; });
+    replace_file(sized_frames({2, 5, 3, 1, 1}));
+    for (int i = 0; i < 3; ++i) undo(state);
+    EXPECT_FALSE(sphere(1).hidden);
+    EXPECT_EQ(reach_of_edits(state), EditsReach::none);
+    for (int i = 0; i < 3; ++i) redo(state);
+    EXPECT_FALSE(state.document.is_changed());
+    for (int i = 0; i < 2; ++i) undo(state);
+    EXPECT_TRUE(sphere(1).hidden);
+    show_frame(state, 0);
+    EXPECT_TRUE(sphere(1).hidden);
+    EXPECT_NE(sphere(0).color, (Color{1, 2, 3}));
+}
+
+TEST_F(FrameRecoveryTest, ARecoveredPlaceIsTheFramesOwn) {
+    edit(1, [](Sphere& s) { s.hidden = true; });
+    edit(1, [](Sphere& s) { s.center.y = 5.0; });
+    kill_and_recover();
+    EXPECT_EQ(sphere(1).center.y, 5.0);
+    EXPECT_EQ(reach_of_edits(state), EditsReach::this_frame);
+    show_frame(state, 2);
+    answer(1);
+    EXPECT_TRUE(sphere(1).hidden);
+    EXPECT_EQ(sphere(1).center.y, 0.0);
+}
+
+TEST_F(FrameRecoveryTest, RecoveredSpheresThatCameShareNothing) {
+    edit(1, [](Sphere& s) { s.hidden = true; });
+    state.selection.set_only(0);
+    run(CommandId::remove);
+    run(CommandId::add_sphere);
+    kill_and_recover();
+    EXPECT_EQ(state.frames, 4);
+    EXPECT_EQ(reach_of_edits(state), EditsReach::this_frame);
+    show_frame(state, 2);
+    answer(1);
+    EXPECT_FALSE(sphere(0).hidden);
+}
+
+TEST_F(FrameRecoveryTest, AFrameOfAFileThatHasChangedIsRecoveredAlone) {
+    edit(1, [](Sphere& s) { s.hidden = true; });
+    kill_and_recover([&] { folder.write("a.xyz", sized_frames({2, 5, 3})); });
+    EXPECT_EQ(state.frames, 1);
+    EXPECT_TRUE(sphere(1).hidden);
+    EXPECT_EQ(state.path, path);
+    kill_and_recover([&] { std::filesystem::remove(path); });
+    EXPECT_TRUE(sphere(1).hidden);
 }
 
 }  // namespace sphereview

@@ -53,7 +53,7 @@ struct AutosaveTest : RecoveryTest {
         now += time;
         for (const bool ended : {false, true}) {  // what the first look begins is looked at by the second
             if (ended) autosave.finish();
-            autosave.look(document, "/scene.txt", now);
+            autosave.look(document, {"/scene.txt"}, now);
         }
         return fs::exists(folder.path("state/sphereview")) && !fs::is_empty(folder.path("state/sphereview"));
     }
@@ -61,8 +61,8 @@ struct AutosaveTest : RecoveryTest {
         Scene large = scene_of_alike(20'000);
         document = Document(std::move(large));
         change();
-        autosave.look(document, "", now);
-        autosave.look(document, "", now + 1h);
+        autosave.look(document, {}, now);
+        autosave.look(document, {}, now + 1h);
     }
     void change() { document.apply(InsertSpheres{{0}, {{}}}, "Add"); }
 
@@ -116,11 +116,11 @@ Scene scene_in(const Recovery& recovery) { return parse_scene(InputFile(recovery
 TEST_F(RecoveryTest, GivesEveryBitBack) {
     for (unsigned seed = 1; seed <= 30; ++seed) {
         const Scene scene = seeded_scene(seed);
-        Other other([&] { return write_recovery(scene, "/scenes/a b.toml"); });
+        Other other([&] { return write_recovery(scene, {"/scenes/a b.toml"}); });
         other.end();
         const auto recoveries = list_recoveries();
         ASSERT_EQ(recoveries.size(), 1U) << seed;
-        EXPECT_EQ(recoveries[0].original, "/scenes/a b.toml");
+        EXPECT_EQ(recoveries[0].original.path, "/scenes/a b.toml");
         ASSERT_EQ(difference(scene_in(recoveries[0]), scene), "") << "seed " << seed;
         EXPECT_TRUE(remove_recovery(recoveries[0].file));
         EXPECT_TRUE(list_recoveries().empty());
@@ -130,11 +130,14 @@ TEST_F(RecoveryTest, GivesEveryBitBack) {
 TEST_F(RecoveryTest, KnowsWhatWasEdited) {
     const std::string odd = "/K\xC3\xBCgeln/\xFF\n\r\t %41'\"#.toml";
     for (const std::string& original : {std::string(), odd, std::string("relative.txt")}) {
-        Other other([&] { return write_recovery({}, original); });
+        std::optional<EditedFrame> frame;
+        if (original == odd) frame = EditedFrame{12, std::int64_t{1} << 40, -7, true};
+        Other other([&] { return write_recovery({}, {original, frame}); });
         other.end();
         const auto recoveries = list_recoveries();
         ASSERT_EQ(recoveries.size(), 1U);
-        EXPECT_EQ(recoveries[0].original, original == "relative.txt" ? (fs::current_path() / original).string() : original);
+        EXPECT_EQ(recoveries[0].original.path, original == "relative.txt" ? (fs::current_path() / original).string() : original);
+        EXPECT_EQ(recoveries[0].original.frame, frame);
         EXPECT_EQ(difference(scene_in(recoveries[0]), Scene{}), "");
         const auto age = std::chrono::system_clock::now() - recoveries[0].time;
         EXPECT_LT(age, std::chrono::hours(1));
@@ -144,19 +147,19 @@ TEST_F(RecoveryTest, KnowsWhatWasEdited) {
 }
 
 TEST_F(RecoveryTest, LeavesARunningProcessItsOwn) {
-    Other first([] { return write_recovery(seeded_scene(2), "/first"); });
+    Other first([] { return write_recovery(seeded_scene(2), {"/first"}); });
     std::this_thread::sleep_for(std::chrono::milliseconds(5));  // the order is by time, in milliseconds
-    Other second([] { return write_recovery(seeded_scene(3), "/not yet") && write_recovery(seeded_scene(4), "/second"); });
-    EXPECT_TRUE(write_recovery(seeded_scene(1), "/own"));  // last: a copy of this process would share its lock
+    Other second([] { return write_recovery(seeded_scene(3), {"/not yet"}) && write_recovery(seeded_scene(4), {"/second"}); });
+    EXPECT_TRUE(write_recovery(seeded_scene(1), {"/own"}));  // last: a copy of this process would share its lock
     EXPECT_TRUE(list_recoveries().empty());
     second.end();
     ASSERT_EQ(list_recoveries().size(), 1U);
     first.end();
     const auto recoveries = list_recoveries();
     ASSERT_EQ(recoveries.size(), 2U);
-    EXPECT_EQ(recoveries[0].original, "/second");
+    EXPECT_EQ(recoveries[0].original.path, "/second");
     EXPECT_EQ(difference(scene_in(recoveries[0]), seeded_scene(4)), "");
-    EXPECT_EQ(recoveries[1].original, "/first");
+    EXPECT_EQ(recoveries[1].original.path, "/first");
     EXPECT_EQ(difference(scene_in(recoveries[1]), seeded_scene(2)), "");
     EXPECT_EQ(folder.names(), std::vector<std::string>{"state"});
     EXPECT_TRUE(remove_own_recovery());
@@ -166,12 +169,12 @@ TEST_F(RecoveryTest, LeavesARunningProcessItsOwn) {
 
 TEST_F(RecoveryTest, SaysWhenNothingCanBeKept) {
     folder.write("state", "a file, not a folder");
-    EXPECT_FALSE(write_recovery(seeded_scene(1), "/a"));
+    EXPECT_FALSE(write_recovery(seeded_scene(1), {"/a"}));
     EXPECT_TRUE(list_recoveries().empty());
     EXPECT_EQ(folder.read("state"), "a file, not a folder");
     const test::Variable none("XDG_STATE_HOME", {});
     const test::Variable home("HOME", {});
-    EXPECT_FALSE(write_recovery(seeded_scene(1), "/a"));
+    EXPECT_FALSE(write_recovery(seeded_scene(1), {"/a"}));
     EXPECT_TRUE(list_recoveries().empty());
     EXPECT_TRUE(remove_own_recovery());
 }
@@ -240,7 +243,7 @@ TEST_F(AutosaveTest, ForgetsWhatIsSavedOrUndone) {
     document.mark_saved();
     EXPECT_FALSE(kept_after(0s));
     change();
-    EXPECT_TRUE(autosave.keep(document, "")) << "at once";
+    EXPECT_TRUE(autosave.keep(document, {})) << "at once";
     EXPECT_FALSE(autosave.due());
     EXPECT_TRUE(kept_after(1h));
     document.undo();
@@ -266,30 +269,30 @@ TEST_F(AutosaveTest, KeepsALargeSceneInTheBackgroundAndForgetsItAfterwards) {
 TEST_F(AutosaveTest, NeverReplacesWhatIsKeptAtOnce) {
     begin_to_keep_a_large_scene();
     document.apply(RemoveSpheres{{0}}, "Remove");
-    ASSERT_TRUE(autosave.keep(document, ""));
+    ASSERT_TRUE(autosave.keep(document, {}));
     autosave.finish();
     EXPECT_EQ(kept_scene().spheres.size(), 20'000u) << "the newer of the two";
 }
 
 TEST_F(AutosaveTest, KeepsBeforeSomethingIsReadWhatIsNotKept) {
-    EXPECT_EQ(autosave.keep_before_reading(document, ""), nullptr) << "nothing has changed";
+    EXPECT_EQ(autosave.keep_before_reading(document, {}), nullptr) << "nothing has changed";
     change();
-    const auto job = autosave.keep_before_reading(document, "");
+    const auto job = autosave.keep_before_reading(document, {});
     ASSERT_NE(job, nullptr);
-    EXPECT_EQ(autosave.keep_before_reading(document, ""), job) << "under way";
+    EXPECT_EQ(autosave.keep_before_reading(document, {}), job) << "under way";
     autosave.finish();
-    EXPECT_EQ(autosave.keep_before_reading(document, ""), nullptr);
+    EXPECT_EQ(autosave.keep_before_reading(document, {}), nullptr);
 }
 
 TEST_F(AutosaveTest, WritesANewerCopyAfterTheOneThatIsBeingWritten) {
     Scene large = scene_of_alike(300'000);
     document = Document(std::move(large));
     document.mark_unsaved();
-    const auto older = autosave.keep_before_reading(document, "");
+    const auto older = autosave.keep_before_reading(document, {});
     document = Document();  // takes much less time
     change();
     change();
-    autosave.keep_before_reading(document, "")->wait();
+    autosave.keep_before_reading(document, {})->wait();
     EXPECT_TRUE(older->ended());
     autosave.finish();
     EXPECT_EQ(kept_scene().spheres.size(), 2U);
@@ -301,7 +304,7 @@ TEST_F(AutosaveTest, KeepsAlsoWithoutAThreadAndNeverReplacesThatByAnOlderCopy) {
     document.apply(RemoveSpheres{{0}}, "Remove");
     {
         const test::NoThreads none;
-        EXPECT_EQ(autosave.keep_before_reading(document, ""), nullptr) << "kept";
+        EXPECT_EQ(autosave.keep_before_reading(document, {}), nullptr) << "kept";
     }
     autosave.finish();
     EXPECT_EQ(kept_scene().spheres.size(), 20'000u);
