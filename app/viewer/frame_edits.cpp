@@ -124,7 +124,7 @@ bool has_numbers_of_file(const ViewerState& state) {
 
 EditsReach reach_of_edits(ViewerState& state) {
     FrameEdits& edits = state.player.edits;
-    if (!edits.before) return EditsReach::none;
+    if (!edits.before) return edits.outdated ? EditsReach::this_frame : EditsReach::none;
     if (edits.judged_revision == state.document.revision()) return edits.judged;
     edits.judged_revision = state.document.revision();
     const bool is_as_read = same_besides(*edits.before, state.scene()) && !lacks_edited_spheres(state);
@@ -140,11 +140,12 @@ bool lacks_edited_spheres(const ViewerState& state) {
 }
 
 void note_edits_before_reload(ViewerState& state, const Scene& reloaded) {
-    note_frame_before_edit(state, false);
     EditsBeyondReloads& reloads = state.player.reloads;
     reloads.edits.resize(reloads.done++);
     note_numbers(state);
-    if (state.player.edits.before && !same_besides(with_chosen_look(state), reloaded)) {
+    const bool same =
+        state.player.edits.before ? same_besides(with_chosen_look(state), reloaded) : same_besides(state.scene(), reloaded);
+    if (!same) {
         state.player.edits.outdated = true;
         for (FrameEdits& earlier : reloads.edits) earlier.outdated = true;
     }
@@ -162,6 +163,7 @@ void cross_reload(ViewerState& state, bool undoes, const std::function<void()>& 
 
 void apply_recovered(ViewerState& state, Scene kept, bool has_numbers) {
     if (kept == state.scene()) return state.document.mark_unsaved();  // other frames had more
+    note_frame_before_edit(state, false);
     note_edits_before_reload(state, state.scene());
     state.player.edits = state.player.reloads.edits.back();
     state.document.apply(ReplaceScene{std::move(kept)}, "Recovered changes");

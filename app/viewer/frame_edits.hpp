@@ -25,9 +25,8 @@ struct FrameEdits {
     EditsReach judged = EditsReach::none;   // of this revision of the document
     std::uint64_t judged_revision = 0;
     std::uint64_t given_revision = 0;  // of the document that has got what is shared and no edit of its own
-    std::uint64_t numbers_order =
-        0;                  // the document's order_revision() in which an undone or redone reload left numbers as in `before`
-    bool outdated = false;  // the file has the frame otherwise by now: a reload was undone
+    std::uint64_t numbers_order = 0;   // the document's order_revision() in which an undone reload gave numbers as in `before` back
+    bool outdated = false;             // the file has the frame otherwise by now: a reload was undone
 };
 
 // Of the reloads of the file that undo and redo can reach: what the frames' edits are on the other side of each. The first `done`

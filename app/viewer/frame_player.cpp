@@ -246,7 +246,9 @@ void begin_frames(ViewerState& state, const LoadedScene& loaded) {
 
 void end_frames(ViewerState& state) {
     const PlayChoices choices = state.player.choices;
+    EditsBeyondReloads reloads = std::move(state.player.reloads);  // of the document's history, which stays
     state.player = {};
+    state.player.reloads = std::move(reloads);
     state.player.choices = choices;
     state.player.choices.handle_held = false;
     state.player.choices.numbers = {};

@@ -136,10 +136,8 @@ void reload(ViewerState& state, LoadedScene loaded) {
     const bool differs = loaded.scene != state.scene();
     if (differs) note_edits_before_reload(state, loaded.scene);
     const PlayClock clock = state.player.clock;
-    EditsBeyondReloads reloads = std::move(state.player.reloads);
     begin_frames(state, loaded);
     state.player.clock = clock;
-    state.player.reloads = std::move(reloads);
     state.frame = std::min(state.frame, state.frames - 1);  // the file may have become shorter
     if (differs) {
         state.document.apply(ReplaceScene{std::move(loaded.scene)}, "Reload of " + in_quotes(state.name()));
@@ -232,6 +230,7 @@ LoadOptions load_options(const ViewerState& state, const std::string& path, std:
 void adopt(ViewerState& state, LoadedScene loaded, const std::string& path) {
     state.loading.reset();
     state.document = Document(std::move(loaded.scene));
+    state.player.reloads = {};
     state.all_properties = false;
     note_properties(state, loaded);
     state.bounds_revision = 0;

@@ -52,7 +52,35 @@ TEST_F(FrameReloadTest, UndoingAReloadBringsTheChangesOfAllFramesBack) {
     expect_changes(false);
 }
 
-// What the file holds by now is nowhere else, and what was changed of it is for all frames all the same.
+TEST_F(FrameReloadTest, AReloadCanBeUndoneAfterASave) {
+    edit(0, [](Sphere& s) { s.color = {1, 2, 3}; });
+    replace_file(moved_frames(6));
+    save_scene(state);
+    ASSERT_FALSE(state.dialogs.empty());
+    const auto accept = std::get<FileBrowser>(state.dialogs.back()).accept;
+    state.dialogs.clear();
+    accept(folder.path("saved.toml"), {});
+    finish_writing(state, 30s);
+    ASSERT_EQ(state.path, folder.path("saved.toml"));
+    undo(state);
+    EXPECT_EQ(sphere(0).color, (Color{1, 2, 3}));
+    redo(state);
+    EXPECT_NE(sphere(0).color, (Color{1, 2, 3}));
+    EXPECT_FALSE(state.document.is_changed());
+}
+
+TEST_F(FrameReloadTest, WhatAReloadReplacedIsInNoFile) {
+    std::string text = moved_frames(5);
+    std::ranges::replace(text, 'O', 'N');
+    replace_file(text);
+    EXPECT_EQ(reach_of_edits(state), EditsReach::none);
+    undo(state);
+    EXPECT_EQ(reach_of_edits(state), EditsReach::this_frame);
+    redo(state);
+    EXPECT_EQ(reach_of_edits(state), EditsReach::none);
+}
+
+// The others get what was changed and no place.
 TEST_F(FrameReloadTest, UndoingAReloadThatMovedTheSpheresLeavesACopyOfThisFrame) {
     edit(0, [](Sphere& s) { s.center.y = 5.0; });
     edit(0, [](Sphere& s) { s.hidden = true; });
