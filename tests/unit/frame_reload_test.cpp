@@ -52,6 +52,19 @@ TEST_F(FrameReloadTest, UndoingAReloadBringsTheChangesOfAllFramesBack) {
     expect_changes(false);
 }
 
+TEST_F(FrameReloadTest, UndoingAReloadBringsBackWhatTheFrameLacks) {
+    open(sized_frames({2, 1, 2}));
+    edit(1, [](Sphere& s) { s.hidden = true; });
+    show_frame(state, 1);
+    edit(0, [](Sphere& s) { s.color = {1, 2, 3}; });
+    replace_file(sized_frames({2, 1, 2, 2}));
+    undo(state);
+    EXPECT_EQ(reach_of_edits(state), EditsReach::all_frames);
+    show_frame(state, 2);
+    EXPECT_TRUE(sphere(1).hidden);
+    EXPECT_EQ(sphere(0).color, (Color{1, 2, 3}));
+}
+
 TEST_F(FrameReloadTest, AReloadCanBeUndoneAfterASave) {
     edit(0, [](Sphere& s) { s.color = {1, 2, 3}; });
     replace_file(moved_frames(6));
@@ -86,8 +99,11 @@ TEST_F(FrameReloadTest, UndoingAReloadThatMovedTheSpheresLeavesACopyOfThisFrame)
     edit(0, [](Sphere& s) { s.hidden = true; });
     std::string text = moved_frames(5);
     for (std::size_t at = 0; (at = text.find(" 100 ", at)) != std::string::npos; ++at) text.replace(at, 5, " 200 ");
+    std::ranges::replace(text, 'O', 'N');
     replace_file(text);
+    const Color color = sphere(0).color;
     undo(state);
+    EXPECT_NE(sphere(0).color, color);
     EXPECT_EQ(sphere(0).center.z, 100.0);
     EXPECT_EQ(reach_of_edits(state), EditsReach::this_frame);
     edit(1, [](Sphere& s) { s.radius = 0.125; });
@@ -96,6 +112,7 @@ TEST_F(FrameReloadTest, UndoingAReloadThatMovedTheSpheresLeavesACopyOfThisFrame)
     EXPECT_EQ(question()->id, "save-changes");
     answer(1);
     EXPECT_EQ(sphere(0).center, glm::dvec3(1.0, 0.0, 200.0));
+    EXPECT_EQ(sphere(0).color, color) << "the file's";
     EXPECT_TRUE(sphere(0).hidden);
     EXPECT_EQ(sphere(1).radius, 0.125);
     EXPECT_EQ(reach_of_edits(state), EditsReach::all_frames);
