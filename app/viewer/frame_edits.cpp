@@ -177,6 +177,7 @@ void take_shared_edits(ViewerState& state, std::size_t next_size) {
     if (shared.go_beyond(next_size) && state.document.revision() != edits.given_revision) {
         state.autosave.keep_before_reading(state.document, edited_file(state));
     }
+    if (state.document.can_redo()) note_frame_before_edit(state, false);  // a file that has grown may have been read since
     edits.redone = redone_edits(state);
     if (edits.redone == shared) edits.redone.reset();
     edits.shared = std::move(shared);
