@@ -162,7 +162,8 @@ void cross_reload(ViewerState& state, bool undoes, const std::function<void()>& 
 }
 
 void apply_recovered(ViewerState& state, Scene kept, bool has_numbers) {
-    if (kept == state.scene()) return state.document.mark_unsaved();  // other frames had more
+    if (kept == state.scene()) return state.document.mark_unsaved();                   // other frames had more
+    has_numbers = has_numbers && kept.spheres.size() == state.scene().spheres.size();  // whatever the file says
     note_frame_before_edit(state, false);
     note_edits_before_reload(state, state.scene());
     state.player.edits = state.player.reloads.edits.back();
