@@ -195,7 +195,7 @@ private:
         }
         if (hovered || held) {
             std::string text = "frame " + in_groups(static_cast<std::uint64_t>(held ? present : frame_at(mouse)));
-            if (facts_.wanted) text += ", being read";
+            if (facts_.wanted) text += facts_.wanted_in_vain ? ", cannot be read" : ", being read";
             // Above the line, where it covers no number.
             ImGui::SetNextWindowPos({std::clamp(mouse, begin, end), left_.y - 0.5F * gap()}, ImGuiCond_Always, {0.5F, 1.0F});
             ImGui::SetTooltip("%s", text.c_str());

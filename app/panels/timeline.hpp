@@ -35,6 +35,7 @@ struct TimelineFacts {
     std::string time{};                  // of the frame that is shown, as the file has it: "0.500"; "" where it has none
     std::string time_unit{};             // "ps"; "" where nobody knows
     std::optional<double> usual_step{};  // of these times, from a frame to the next; > 0
+    bool wanted_in_vain = false;         // `wanted` cannot be read
 };
 
 // How high what draw_timeline() draws is, without the window's edge.

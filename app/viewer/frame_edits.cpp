@@ -162,7 +162,8 @@ void cross_reload(ViewerState& state, bool undoes, const std::function<void()>& 
 }
 
 void apply_recovered(ViewerState& state, Scene kept, bool has_numbers) {
-    if (kept == state.scene()) return state.document.mark_unsaved();  // other frames had more
+    if (kept == state.scene()) return state.document.mark_unsaved();                   // other frames had more
+    has_numbers = has_numbers && kept.spheres.size() == state.scene().spheres.size();  // whatever the file says
     note_frame_before_edit(state, false);
     note_edits_before_reload(state, state.scene());
     state.player.edits = state.player.reloads.edits.back();
@@ -177,6 +178,7 @@ void take_shared_edits(ViewerState& state, std::size_t next_size) {
     if (shared.go_beyond(next_size) && state.document.revision() != edits.given_revision) {
         state.autosave.keep_before_reading(state.document, edited_file(state));
     }
+    if (state.document.can_redo()) note_frame_before_edit(state, false);  // a file that has grown may have been read since
     edits.redone = redone_edits(state);
     if (edits.redone == shared) edits.redone.reset();
     edits.shared = std::move(shared);

@@ -336,6 +336,7 @@ TimelineFacts timeline_facts(ViewerState& state) {
     TimelineFacts facts{player.clock.plays(),
                         player.wanted && !player.wanted->by_clock ? std::optional(player.wanted->frame) : std::nullopt,
                         !player.all_frames, player.counted, reach_of_edits(state)};
+    facts.wanted_in_vain = player.wanted && player.wanted->passed_over == 0 && !player.wanted->fault.empty();
     if (player.time) {
         facts.time = player.time->text;
         facts.time_unit = player.time->unit;

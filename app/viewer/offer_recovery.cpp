@@ -49,7 +49,7 @@ void recover(ViewerState& state, const Recovery& recovery) {
             take_over(state, recovery);
         };
         const auto alone = [&state, recovery, kept](const std::string&) { recover_alone(state, recovery, std::move(*kept)); };
-        start_loading(state, {path, load_options(state, path, frame->number), over_frame, alone});
+        start_loading(state, {path, load_options(state, path, frame->number), over_frame, alone, [alone] { alone(""); }});
     };
     const auto fail = [&state](const std::string& why) { report_error(state, "The changes cannot be recovered", why); };
     start_loading(state, {.path = recovery.file, .accept = accept, .fail = fail});

@@ -146,6 +146,7 @@ std::optional<EditedFrame> frame_from(std::string_view numbers) {
         if (read.ec != std::errc()) return {};
         numbers.remove_prefix(static_cast<std::size_t>(read.ptr - numbers.data()));
     }
+    if (values[0] < 0) return {};
     return EditedFrame{values[0], values[1], values[2], values[3] != 0};
 }
 

@@ -167,6 +167,7 @@ TEST_F(DamagedFramesTest, StayUnderTheHandleUntilItIsLetGo) {
     state.player.choices.handle_held = true;
     show_frame(state, 2);
     EXPECT_EQ(timeline_facts(state).wanted, 2);
+    EXPECT_TRUE(timeline_facts(state).wanted_in_vain);
     expect_said("Frame 2 cannot be read: ", "a number");
     EXPECT_EQ(follow_player(state, now, false), FrameNews::none);
     EXPECT_EQ(state.messages.announcement, "") << "once";

@@ -213,6 +213,20 @@ TEST_F(FrameRecoveryTest, RecoveredSpheresThatCameShareNothing) {
     EXPECT_FALSE(sphere(0).hidden);
 }
 
+TEST_F(FrameRecoveryTest, AKeptFileThatSaysWrongNumbersSharesNothing) {
+    edit(1, [](Sphere& s) { s.hidden = true; });
+    run(CommandId::add_sphere);
+    kill_and_recover([&] {
+        std::string text = folder.read("state/sphereview/recovery-1.toml");
+        const std::size_t end = text.find('\n', text.find("# frame"));
+        ASSERT_EQ(text.substr(end - 2, 2), " 0");
+        folder.write("state/sphereview/recovery-1.toml", text.replace(end - 1, 1, "1"));
+    });
+    show_frame(state, 2);
+    answer(1);
+    EXPECT_FALSE(sphere(1).hidden);
+}
+
 TEST_F(FrameRecoveryTest, AFrameOfAFileThatHasChangedIsRecoveredAlone) {
     edit(1, [](Sphere& s) { s.hidden = true; });
     kill_and_recover([&] { folder.write("a.xyz", sized_frames({2, 5, 3})); });

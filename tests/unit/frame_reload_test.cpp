@@ -52,6 +52,15 @@ TEST_F(FrameReloadTest, UndoingAReloadBringsTheChangesOfAllFramesBack) {
     expect_changes(false);
 }
 
+TEST_F(FrameReloadTest, AFileThatGrowsLeavesWhatIsUndone) {
+    edit(0, [](Sphere& s) { s.hidden = true; });
+    undo(state);
+    replace_file(moved_frames(6));
+    run(CommandId::next_frame);
+    redo(state);
+    EXPECT_TRUE(sphere(0).hidden);
+}
+
 TEST_F(FrameReloadTest, UndoingAReloadBringsBackWhatTheFrameLacks) {
     open(sized_frames({2, 1, 2}));
     edit(1, [](Sphere& s) { s.hidden = true; });

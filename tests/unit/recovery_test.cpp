@@ -204,6 +204,17 @@ TEST_F(RecoveryTest, IsAskedAboutOnOneLine) {
     EXPECT_EQ(in_words(Recovery()), "sphereview ended with unsaved changes of an untitled scene.");
 }
 
+TEST_F(RecoveryTest, IsOfNoFrameWhereTheHeadIsOdd) {
+    for (const std::string numbers : {"", "1", "1 2 3", "-1 2 3 1", "1 2 99999999999999999999 1", "a 2 3 1"}) {
+        folder.write("state/sphereview/recovery-1.toml",
+                     "# sphereview recovery, milliseconds since 1970: 1\n# of: /a\n"
+                     "# frame, bytes and time of the file, whether numbers are the file's: " +
+                         numbers + "\n");
+        ASSERT_EQ(list_recoveries().size(), 1U);
+        EXPECT_EQ(list_recoveries().front().original, EditedFile{"/a"}) << numbers;
+    }
+}
+
 TEST_F(RecoveryTest, OffersOnlyWhatIsSurelyLeftBehind) {
     const fs::path lock = folder.path("state/sphereview/recovery-1.lock");
     folder.write("state/sphereview/recovery-1.toml", "# sphereview recovery, milliseconds since 1970: 1\n# of: /a\n");
