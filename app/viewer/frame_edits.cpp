@@ -149,6 +149,7 @@ void note_edits_before_reload(ViewerState& state, const Scene& reloaded) {
         state.player.edits.outdated = true;
         for (FrameEdits& earlier : reloads.edits) earlier.outdated = true;
     }
+    state.player.edits.redone.reset();  // a reload is a step: what was undone before it is gone
     reloads.edits.push_back(std::exchange(state.player.edits, {}));
 }
 

@@ -44,7 +44,7 @@ void recover(ViewerState& state, const Recovery& recovery) {
         const auto over_frame = [&state, recovery, kept, stamp](LoadedScene as_read) {
             adopt(state, std::move(as_read), recovery.original.path);
             state.frame = recovery.original.frame->number;
-            state.stamp = stamp;
+            state.stamp = state.read_stamp = stamp;
             apply_recovered(state, std::move(kept->scene), recovery.original.frame->has_numbers);
             take_over(state, recovery);
         };

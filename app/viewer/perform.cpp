@@ -67,8 +67,10 @@ void apply(ViewerState& state, EditScene action) {
     note_frame_before_edit(state, adds_or_removes || reorders);
     // Other edits leave the spheres there that they concern.
     Touched before = std::holds_alternative<InsertSpheres>(action.edit) ? state.selection.numbers() : Touched{};
+    const std::uint64_t revision = state.document.revision();
     const Touched touched = state.document.apply(std::move(action.edit), std::move(action.name), action.gesture, std::move(before));
-    if (!state.document.can_redo()) state.player.edits.redone.reset();  // nor in other frames
+    const bool changed = state.document.revision() != revision;
+    if (changed && !state.document.can_redo()) state.player.edits.redone.reset();  // nor in other frames
     if (moves_view) show_scene_camera(state);
     if (adds_or_removes) state.selection.clear();
     if (adds_or_removes || reorders) select_touched(state, touched);

@@ -193,8 +193,9 @@ std::optional<EditedFrame> edited_frame(const FileStates& file, std::int64_t num
 }
 
 EditedFile edited_file(const ViewerState& state) {
-    if (!has_several_frames(state)) return {state.path, {}};
-    return {state.path, edited_frame(state.stamp, state.frame, has_numbers_of_file(state))};
+    // Where a reload was undone, the document is of a file that is no more.
+    if (!has_several_frames(state) || state.player.edits.outdated) return {state.path, {}};
+    return {state.path, edited_frame(state.read_stamp, state.frame, has_numbers_of_file(state))};
 }
 
 bool write_recovery(const Scene& scene, const EditedFile& original, std::size_t complete_up_to) noexcept {

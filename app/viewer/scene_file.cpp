@@ -48,7 +48,7 @@ void read_scene(ViewerState& state, const std::string& path) {
     // The stamp is of before the reading: what is written meanwhile shows as a change.
     const auto accept = unless_edited(state, [&state, path, stamp = file_states(path)](LoadedScene loaded) {
         adopt(state, std::move(loaded), path);
-        state.stamp = stamp;
+        state.stamp = state.read_stamp = stamp;
     });
     const auto fail = [&state, path](const std::string& why) {
         // A broken file can be repaired, and is then looked for where it was.
@@ -137,6 +137,7 @@ void reload(ViewerState& state, LoadedScene loaded) {
     if (differs) note_edits_before_reload(state, loaded.scene);
     const PlayClock clock = state.player.clock;
     begin_frames(state, loaded);
+    state.read_stamp = state.stamp;
     state.player.clock = clock;
     state.frame = std::min(state.frame, state.frames - 1);  // the file may have become shorter
     if (differs) {
@@ -251,6 +252,7 @@ void adopt(ViewerState& state, LoadedScene loaded, const std::string& path) {
         state.stamp = file_states(state.path);
         add_recent(state.settings, state.path);
     }
+    state.read_stamp = state.stamp;
     begin_frames(state, loaded);
     go_home(state);
     note_look(state, loaded);
@@ -307,7 +309,7 @@ void adopt_frame(ViewerState& state, std::int64_t frame, LoadedScene loaded, con
     forget_file_messages(state);
     state.frame = frame;
     state.player.time = loaded.time;
-    state.stamp = stamp;
+    state.stamp = state.read_stamp = stamp;
     note_look(state, loaded);
     give_shared_edits(state);
     shown_coloring(state.document, state.side_panel.look);  // the next frame is read with it

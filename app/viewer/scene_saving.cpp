@@ -35,7 +35,7 @@ void write(ViewerState& state, const std::string& path, SceneFormat format, cons
         state.format = format;
         state.frame = 0;
         end_frames(state);
-        state.stamp = file_states(path);
+        state.stamp = state.read_stamp = file_states(path);
         state.property_names.clear();
         for (const Property& property : state.scene().properties) state.property_names.push_back(property.name);
         forget_file_messages(state);

@@ -69,7 +69,8 @@ struct ViewerState {
     std::int64_t frame = 0;   // of the file, which may have several
     std::int64_t frames = 1;  // as far as they are known (FramePlayer::all_frames)
     FramePlayer player;
-    FileStates stamp;                         // of what was read or written last
+    FileStates stamp;                         // as it was looked at last
+    FileStates read_stamp;                    // as it was when the document was read of it, or written
     std::vector<std::string> property_names;  // of what the file holds of each sphere, whether read or not
     bool all_properties = false;              // they are read, whatever they take
     std::uint64_t file_order = 0;             // the document's order_revision() in which its numbers are the file's

@@ -237,4 +237,19 @@ TEST_F(FrameRecoveryTest, AFrameOfAFileThatHasChangedIsRecoveredAlone) {
     EXPECT_TRUE(sphere(1).hidden);
 }
 
+TEST_F(FrameRecoveryTest, AFrameThatTheFileNoLongerHadIsRecoveredAlone) {
+    for (const bool keeps : {true, false}) {
+        SCOPED_TRACE(keeps);
+        open(sized_frames({2, 5, 3}));
+        show_frame(state, 1);
+        edit(1, [](Sphere& s) { s.hidden = true; });
+        replace_file(sized_frames({2, 6, 3, 1}), keeps ? 1 : 0);
+        if (!keeps) undo(state);
+        kill_and_recover();
+        EXPECT_EQ(state.frames, 1);
+        EXPECT_EQ(state.scene().spheres.size(), 5U);
+        EXPECT_TRUE(sphere(1).hidden);
+    }
+}
+
 }  // namespace sphereview

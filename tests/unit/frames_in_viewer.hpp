@@ -79,15 +79,15 @@ struct FramesInViewer : testing::Test {
         run(CommandId::play);
         now = PlayClock::Time::clock::now();
     }
-    // By another program, without a question.
-    void replace_file(const std::string& text) {
+    // By another program. `asked`: the answer, if there is a question: 0 reloads, 1 keeps what is here.
+    void replace_file(const std::string& text, int asked = 0) {
         folder.write("a.xyz", text);
         look_at_file(state);
         EXPECT_TRUE(test::eventually([&] {
             finish_work(state);
             return !state.loading;
         }));
-        if (question() != nullptr && question()->id == "reload") answer(0);
+        if (question() != nullptr && question()->id == "reload") answer(asked);
     }
     // In one range for all frames.
     void color_by_charge() {
