@@ -29,9 +29,7 @@ constexpr std::size_t of_text = std::string_view::npos;
 // Bytes that no text holds, or that begin files of one kind alone.
 constexpr auto marks = std::to_array<Mark>({
     {"BZh"sv, "a file that is packed with bzip2, which is not unpacked here: gzip is"},
-    {"\xFD"
-     "7zXZ\0"sv,
-     "a file that is packed with xz, which is not unpacked here: gzip is"},
+    {"\3757zXZ\0"sv, "a file that is packed with xz, which is not unpacked here: gzip is"},
     {"\x28\xB5\x2F\xFD"sv, "a file that is packed with zstd, which is not unpacked here: gzip is"},
     {"\x04\x22\x4D\x18"sv, "a file that is packed with lz4, which is not unpacked here: gzip is"},
     {"\x1F\x9D"sv, "a file that is packed with compress, which is not unpacked here: gzip is"},
@@ -98,9 +96,7 @@ constexpr auto marks = std::to_array<Mark>({
     {"glTF"sv, "a glTF model"},
     {"Kaydara FBX"sv, "an FBX model"},
     {"BLENDER"sv, "a Blender file"},
-    {"\x7F"
-     "ELF"sv,
-     "a program"},
+    {"\177ELF"sv, "a program"},
     {"MZ\x90\0"sv, "a program"},
     {"<!doctype html"sv, "an HTML page", of_text},
     {"<html"sv, "an HTML page", of_text},

@@ -62,23 +62,19 @@ TEST(CsvColumns, AreKnownByTheNamesThatProgramsGive) {
 TEST(CsvColumns, ThatArePassedOverAreNamed) {
     const SphereData data = table("x [nm],y [nm],z [nm],intensity [photon]\n1,2,3,99\n4,5,6,98\n");
     EXPECT_EQ(data.scene.spheres.size(), 2U);
-    EXPECT_EQ(data.notes,
-              Lines{"a.csv: columns that are passed over: 'intensity [photon]'; --color-by and --size-by can use them"});
+    EXPECT_EQ(data.notes, passed_over("'intensity [photon]'"));
     EXPECT_EQ(table("x,y,z\n1,2,3\n").notes, Lines{});
-    EXPECT_EQ(table("x,y,z,b,r\n1,2,3,4,5\n").notes,
-              Lines{"a.csv: columns that are passed over: 'b', 'r'; --color-by and --size-by can use them"});
-    EXPECT_EQ(table("x,y,z,b,r\n1,2,3,4,5\n", {.properties = {"B"}}).notes,
-              Lines{"a.csv: columns that are passed over: 'r'; --color-by and --size-by can use them"});
+    EXPECT_EQ(table("x,y,z,b,r\n1,2,3,4,5\n").notes, passed_over("'b', 'r'"));
+    EXPECT_EQ(table("x,y,z,b,r\n1,2,3,4,5\n", {.properties = {"B"}}).notes, passed_over("'r'"));
     EXPECT_EQ(table("x,y,z,b\n1,2,3,4\n", {.properties = {"b"}}).notes, Lines{});
-    EXPECT_EQ(table("x,y,z,a\x1B[31m\n1,2,3,4\n").notes,
-              Lines{"a.csv: columns that are passed over: 'a\\x1b[31m'; --color-by and --size-by can use them"});
+    EXPECT_EQ(table("x,y,z,a\x1B[31m\n1,2,3,4\n").notes, passed_over("'a\\x1b[31m'"));
 }
 
 TEST(CsvColumns, ThatAreEmptyAreNotOffered) {
     const std::string head = "x,y,z,a,empty\n1,2,3,4,\n4,5,6,5,nan\n";
     const SphereData data = table(head, {.all_properties = true});
     EXPECT_EQ(data.notes, Lines{});
-    EXPECT_EQ(table(head).notes, Lines{"a.csv: columns that are passed over: 'a'; --color-by and --size-by can use them"});
+    EXPECT_EQ(table(head).notes, passed_over("'a'"));
     EXPECT_EQ(table(head).property_names, Lines{"a"});
     EXPECT_EQ(data.property_names, Lines{"a"});
     // A value may come late.
@@ -163,14 +159,12 @@ TEST(CsvUnits, OfRadiiBecomeThoseOfPlaces) {
 
 TEST(CsvColumns, WithoutAHeaderAreCalledAsTheirProperties) {
     const std::string bare = "1,2,3,0.5\n4,5,6,0.25\n";
-    const std::string passed_over = "a.csv: columns that are passed over: 'column4'; --color-by and --size-by can use them";
-    EXPECT_EQ(table(bare).notes, Lines{passed_over});
+    EXPECT_EQ(table(bare).notes, passed_over("'column4'"));
     EXPECT_EQ(table(bare).property_names, Lines{"column4"});
     const SphereData chosen = table(bare, with_columns("x=1,y=2,z=3"));
-    EXPECT_EQ(chosen.notes, Lines{passed_over});
+    EXPECT_EQ(chosen.notes, passed_over("'column4'"));
     EXPECT_EQ(chosen.property_names, Lines{"column4"});
-    EXPECT_EQ(table("x,y,z,a,a\n1,2,3,4,5\n").notes,
-              Lines{"a.csv: columns that are passed over: 'a', 'a 2'; --color-by and --size-by can use them"});
+    EXPECT_EQ(table("x,y,z,a,a\n1,2,3,4,5\n").notes, passed_over("'a', 'a 2'"));
 }
 
 TEST(CsvColumns, ChosenByNumbersLeaveTheRestToTheRows) {

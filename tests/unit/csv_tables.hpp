@@ -21,6 +21,11 @@ inline std::vector<Sphere> spheres(const std::string& text, const DataOptions& o
 
 inline Centers centers(const std::string& text, const DataOptions& options = {}) { return centers_of(table(text, options).scene); }
 
+// What is said of such columns, each in quotes.
+inline Lines passed_over(const std::string& columns) {
+    return {"a.csv: columns that are passed over: " + columns + "; --color-by and --size-by can use them"};
+}
+
 inline DataOptions with_columns(const std::string& choices) {
     DataOptions options;
     options.columns = parse_column_choices(choices).value();

@@ -173,7 +173,7 @@ TEST(CsvElements, GiveColoursAndRadii) {
     // Types that are none of elements.
     const SphereData data = table("Position.X,Position.Y,Position.Z,Radius,Particle Type\n1,2,3,0.5,1\n");
     EXPECT_EQ(data.scene.spheres, (std::vector<Sphere>{{{1, 2, 3}, 0.5, {255, 255, 255}, false}}));
-    EXPECT_EQ(data.notes, Lines{"a.csv: columns that are passed over: 'Particle Type'; --color-by and --size-by can use them"});
+    EXPECT_EQ(data.notes, passed_over("'Particle Type'"));
     EXPECT_EQ(table("type,x,y,z\nC,0,0,0\nbond,0,0,1\n").scene.names.size(), 0U);
 }
 
@@ -255,7 +255,7 @@ TEST(CsvWithoutHeader, TakesTheFirstColumns) {
     EXPECT_EQ(data.warnings[0], "a.csv: no header: the first columns are taken for x, y and z");
     const SphereData colored = table("1.5 2 3 255 128 0 0.7\n4 5 6 255 128 0 0.7\n");
     EXPECT_EQ(colored.scene.spheres[1].color, (Color{255, 128, 0}));
-    EXPECT_EQ(colored.notes, Lines{"a.csv: columns that are passed over: 'column7'; --color-by and --size-by can use them"});
+    EXPECT_EQ(colored.notes, passed_over("'column7'"));
     // Names that nobody knows are no reason to guess.
     EXPECT_EQ(message_of<InputError>([] { spheres("mass,time,depth\n1,2,3\n"); }),
               "a.csv:1:1: found the columns 'mass', 'time', 'depth', expected a header with x, y, z, and perhaps radius, r, g, b, "
