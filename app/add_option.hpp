@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <optional>
 #include <string>
@@ -56,9 +55,7 @@ CLI::Option* add_flag(CLI::App& command, Field& field, const std::string& name, 
 template <typename Number>
 std::optional<Number> whole_number(std::string_view text, Number least) {
     Number number{};
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool is_one = read.ec == std::errc{} && read.ptr == text.data() + text.size() && number >= least;
-    return is_one ? std::optional(number) : std::nullopt;
+    return parse_whole(text, number) && number >= least ? std::optional(number) : std::nullopt;
 }
 
 inline std::optional<double> number_above_0(std::string_view text, double most = std::numeric_limits<double>::max()) {

@@ -1,15 +1,9 @@
 #include "app/compare_words.hpp"
 
 #include "base/text.hpp"
-#include "exact/visible.hpp"
+#include "exact/explain.hpp"
 
 namespace sphereview {
-
-std::string called(const Scene& scene, std::int32_t number) {
-    if (number == visible_background) return "the background";
-    const auto name = scene.names.find(static_cast<std::uint32_t>(number));
-    return "sphere " + std::to_string(number) + (name == scene.names.end() ? "" : " " + in_quotes(name->second));
-}
 
 std::vector<std::string> verdict_in_words(const Diagnosis& diagnosis) {
     if (!diagnosis.style.empty()) return {diagnosis.style_words};

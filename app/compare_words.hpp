@@ -8,9 +8,6 @@
 
 namespace sphereview {
 
-// "sphere 2 'sun'" or "the background".
-std::string called(const Scene& scene, std::int32_t number);
-
 // The likeliest mistake of a picture that differs, what speaks for it and against it, and what it cannot be told from; a line each.
 // Of a picture that is only shaded or smoothed, that it is.
 std::vector<std::string> verdict_in_words(const Diagnosis& diagnosis);

@@ -118,16 +118,12 @@ Json probe_cpu() {
     return {{"works", true}, {"renderer", "the CPU renderer"}};
 }
 
-Json probe_osmesa() { return probe_gl(Backend::osmesa, open_osmesa); }
-
 // `index`: into list_egl().
 Json probe_egl(std::size_t index) {
     const std::vector<EglDevice> devices = list_egl_devices();
     if (index >= devices.size()) throw RenderError("EGL no longer offers it");
     return probe_gl(Backend::egl, [&] { return open_egl(devices[index]); });
 }
-
-Json probe_wgl() { return probe_gl(Backend::wgl, open_wgl); }
 
 // What EGL offers: {"devices": [{"name", "device", "software"}]}.
 Json list_egl() {
@@ -152,8 +148,8 @@ std::string probe(const std::string& name) {
     Json result;
     try {
         result = name == "egl"      ? list_egl()
-                 : name == "osmesa" ? probe_osmesa()
-                 : name == "wgl"    ? probe_wgl()
+                 : name == "osmesa" ? probe_gl(Backend::osmesa, open_osmesa)
+                 : name == "wgl"    ? probe_gl(Backend::wgl, open_wgl)
                  : name == "cpu"    ? probe_cpu()
                                     : probe_egl(std::strtoul(name.c_str(), nullptr, 10));
     } catch (const RenderError& error) {

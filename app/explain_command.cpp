@@ -42,12 +42,6 @@ PixelLight light_of_pixel(const Scene& scene, const ExplainOptions& options, std
     return found;
 }
 
-std::string title(const Scene& scene, std::int32_t number) {
-    std::string text = "sphere " + std::to_string(number);
-    const auto name = scene.names.find(static_cast<std::uint32_t>(number));
-    return name == scene.names.end() ? text : text + " " + in_quotes(name->second);
-}
-
 // "charge = 0.25, chain = 'A'"; "" of a sphere without values.
 std::string values_in_words(const Scene& scene, std::size_t sphere) {
     std::vector<std::string> values;
@@ -63,7 +57,7 @@ std::string hit_in_words(const Scene& scene, const ExplainedHit& hit) {
     const Sphere& sphere = scene.spheres[static_cast<std::size_t>(hit.number)];
     std::string text;
     const auto line = [&](const std::string& what) { text += "  " + what + "\n"; };
-    text += title(scene, hit.number) + ": colour " + in_words(sphere.color) + ", C = " + vector_in_words(sphere.center) +
+    text += called(scene, hit.number) + ": colour " + in_words(sphere.color) + ", C = " + vector_in_words(sphere.center) +
             ", r = " + shortest(sphere.radius) + "\n";
     if (const std::string values = values_in_words(scene, static_cast<std::size_t>(hit.number)); !values.empty()) line(values);
     const HitInWords words = in_words(hit);
@@ -116,7 +110,7 @@ std::string in_words(const ExplainOptions& options, const std::string& name, con
         text += "visible: no sphere\ncolour: the background, " + to_string(background) + "\n";
     } else {
         const bool tie = e.hits.size() > 1 && e.hits[1].as_near_as_last;
-        text += "visible: " + title(scene, visible) + ", which has the smallest t" +
+        text += "visible: " + called(scene, visible) + ", which has the smallest t" +
                 (tie ? " and comes first in the file of those that have it" : "") + "\n";
         const std::string shaded =
             options.shading == Shading::flat ? "" : " (--shade " + std::string(name_of(options.shading)) + ")";

@@ -29,6 +29,11 @@ struct Json::Tree {
     static const Value* in(const Json& json) {
         return json.tree_ == nullptr ? nullptr : std::get_if<Value>(&json.tree_->held);
     }
+    template <typename Value>
+    static std::optional<Value> copied(const Json& json) {
+        const Value* value = in<Value>(json);
+        return value != nullptr ? std::optional(*value) : std::nullopt;
+    }
     // To be changed; null becomes an empty one, and what is shared is copied before.
     template <typename Value>
     static Value& changed(Json& json) {
@@ -181,27 +186,14 @@ Json Json::parse(std::string_view text, const std::string& name, TextPosition or
 
 bool Json::is_null() const { return tree_ == nullptr; }
 bool Json::is_object() const { return Tree::in<Tree::Members>(*this) != nullptr; }
-std::optional<bool> Json::boolean() const {
-    const auto* value = Tree::in<bool>(*this);
-    return value != nullptr ? std::optional(*value) : std::nullopt;
-}
+std::optional<bool> Json::boolean() const { return Tree::copied<bool>(*this); }
 std::optional<double> Json::number() const {
     if (const auto integer = whole()) return static_cast<double>(*integer);
-    const auto* value = Tree::in<double>(*this);
-    return value != nullptr ? std::optional(*value) : std::nullopt;
+    return Tree::copied<double>(*this);
 }
-std::optional<std::int64_t> Json::whole() const {
-    const auto* value = Tree::in<std::int64_t>(*this);
-    return value != nullptr ? std::optional(*value) : std::nullopt;
-}
-std::optional<std::string> Json::text() const {
-    const auto* value = Tree::in<std::string>(*this);
-    return value != nullptr ? std::optional(*value) : std::nullopt;
-}
-std::vector<Json> Json::list() const {
-    const auto* values = Tree::in<Tree::List>(*this);
-    return values != nullptr ? *values : std::vector<Json>();
-}
+std::optional<std::int64_t> Json::whole() const { return Tree::copied<std::int64_t>(*this); }
+std::optional<std::string> Json::text() const { return Tree::copied<std::string>(*this); }
+std::vector<Json> Json::list() const { return Tree::copied<Tree::List>(*this).value_or(Tree::List()); }
 Json Json::operator[](std::string_view key) const {
     const auto* members = Tree::in<Tree::Members>(*this);
     if (members == nullptr) return {};

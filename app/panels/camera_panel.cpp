@@ -144,10 +144,6 @@ private:
 
 }  // namespace
 
-void draw_camera_panel(const PanelContext& context, SidePanelState& state) {
-    ImGui::PushID("camera");
-    CameraPanel(context, state).draw();
-    ImGui::PopID();
-}
+void draw_camera_panel(const PanelContext& context, SidePanelState& state) { CameraPanel(context, state).draw(); }
 
 }  // namespace sphereview

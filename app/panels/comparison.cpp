@@ -81,19 +81,16 @@ void draw_compared(const PanelContext& context, const ComparisonWords& compariso
 
 void draw_shares(const PanelContext& context, const ComparisonWords& comparison) {
     if (!ImGui::BeginTable("shares", 3, ImGuiTableFlags_None)) return;
-    float widest = 0.0F;
-    for (const ComparisonWords::Share& share : comparison.shares) {
-        widest = std::max(widest, width_of(in_groups(static_cast<std::uint64_t>(share.pixels))));
-    }
+    const auto count_of = [](const ComparisonWords::Share& share) { return in_groups(static_cast<std::uint64_t>(share.pixels)); };
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, ImGui::GetTextLineHeight());
-    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, widest);
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, widest_of(comparison.shares, count_of));
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
     for (const ComparisonWords::Share& share : comparison.shares) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         draw_swatch(context, share.mark);
         ImGui::TableNextColumn();
-        ImGui::TextUnformatted(in_groups(static_cast<std::uint64_t>(share.pixels)).c_str());
+        ImGui::TextUnformatted(count_of(share).c_str());
         ImGui::TableNextColumn();
         draw_words(share.words);
     }

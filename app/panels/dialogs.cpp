@@ -41,9 +41,6 @@ void draw_side(const PanelContext& context, const char* name, int& side) {
 
 std::string text_of(PictureSize size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
 
-const std::string& heading_of(const Question& question) { return question.title; }
-const std::string& heading_of(const FileBrowser& browser) { return browser.title; }
-
 // A browser's list takes what room there is; a question is as large as its content.
 bool resizes_itself(const Dialog& dialog) { return !std::holds_alternative<FileBrowser>(dialog); }
 
@@ -74,8 +71,8 @@ Decision cancelled(const Dialog& dialog) {
 Decision draw_from(const PanelContext& context, Dialogs& dialogs, std::size_t index, const DialogKeys& keys) {
     Dialog& dialog = dialogs[index];
     const bool top = index + 1 == dialogs.size();
-    const std::string name = as_label(std::visit([](const auto& one) { return std::string(heading_of(one)); }, dialog)) +
-                             "###dialog " + std::to_string(index) + " " + id_of(dialog);
+    const std::string name = as_label(std::visit([](const auto& one) { return one.title; }, dialog)) + "###dialog " +
+                             std::to_string(index) + " " + id_of(dialog);
     if (!ImGui::IsPopupOpen(name.c_str())) ImGui::OpenPopup(name.c_str());
     place_next_window(context, dialog);
     ImGuiWindowFlags flags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse;

@@ -208,12 +208,8 @@ void follow_name(FileBrowser& browser) {
 
 void draw_name(const PanelContext& context, FileBrowser& browser, float width) {
     std::vector<std::string> kinds;
-    float kinds_width = 0.0F;
-    for (const FileKind& kind : browser.kinds) {
-        kinds.push_back(label_of(kind));
-        kinds_width = std::max(kinds_width, width_of(kinds.back()) + 2.0F * ImGui::GetFrameHeight());
-    }
-    if (kinds.size() <= 1) kinds_width = 0.0F;
+    for (const FileKind& kind : browser.kinds) kinds.push_back(label_of(kind));
+    const float kinds_width = kinds.size() > 1 ? widest_of(kinds) + 2.0F * ImGui::GetFrameHeight() : 0.0F;
     const bool kinds_below = kinds_width > 0.4F * width;
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Name");
@@ -240,12 +236,6 @@ void draw_name(const PanelContext& context, FileBrowser& browser, float width) {
     if (const auto chosen = draw_choice(context, "browser kind", kinds, browser.kind)) choose_kind(browser, *chosen);
 }
 
-void draw_marks(const PanelContext& context, MarksChoice& marks) {
-    ImGui::Checkbox(("With " + marks.words).c_str(), &marks.drawn);
-    note_widget(context, "export marks");
-    explain_item("What the window shows over its picture");
-}
-
 // All but the buttons. The list takes what the rest leaves. Returns the entry that was clicked, with how.
 ClickedEntry draw_form(const PanelContext& context, FileBrowser& browser) {
     draw_path(context, browser);
@@ -263,7 +253,10 @@ ClickedEntry draw_form(const PanelContext& context, FileBrowser& browser) {
     const float below = ImGui::GetCursorPosY();
     draw_name(context, browser, width);
     if (browser.size) draw_size(context, browser);
-    if (browser.marks) draw_marks(context, *browser.marks);
+    if (browser.marks) {
+        draw_checkbox(context, "With " + browser.marks->words, browser.marks->drawn, "export marks",
+                      "What the window shows over its picture");
+    }
     if (browser.film) draw_film_form(context, *browser.film);
     browser.below_list = ImGui::GetCursorPosY() - below;
     return clicked;
@@ -302,8 +295,7 @@ Decision draw_content(const PanelContext& context, FileBrowser& browser, const D
     const bool possible = unfit.empty();
     const FormEnd end = draw_form_end(context, "browser", ok, possible, keys);
     if (hidden_beside) ImGui::SameLine();
-    ImGui::Checkbox(hidden_files_label, &browser.hidden_files);
-    note_widget(context, "browser hidden");
+    draw_checkbox(context, hidden_files_label, browser.hidden_files, "browser hidden");
 
     if (end == FormEnd::cancel) return {true, {}};
     if (end == FormEnd::ok) return confirm(browser, dialogs);

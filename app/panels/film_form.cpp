@@ -42,16 +42,13 @@ void draw_text_field(const PanelContext& context, const char* name, std::string&
 // As wide as its words need.
 std::optional<std::size_t> draw_words_choice(const PanelContext& context, const char* name, const std::vector<std::string>& words,
                                              std::size_t present, const char* help) {
-    float widest = 0.0F;
-    for (const std::string& one : words) widest = std::max(widest, width_of(one));
-    ImGui::SetNextItemWidth(widest + 2.0F * ImGui::GetFrameHeight());
+    ImGui::SetNextItemWidth(widest_of(words) + 2.0F * ImGui::GetFrameHeight());
     return draw_choice(context, std::string("film ") + name, words, present, help);
 }
 
 void draw_frames(const PanelContext& context, FilmForm& form) {
-    ImGui::Checkbox("Frames", &form.chosen.takes_frames);
-    note_widget(context, "film takes frames");
-    explain_item("The frames of the scene's file, one after the other");
+    draw_checkbox(context, "Frames", form.chosen.takes_frames, "film takes frames",
+                  "The frames of the scene's file, one after the other");
     ImGui::SameLine(left_of_film_fields());
     ImGui::BeginDisabled(!form.chosen.takes_frames);
     draw_text_field(context, "frames", form.chosen.frames, 160.0F);
@@ -63,9 +60,7 @@ void draw_frames(const PanelContext& context, FilmForm& form) {
 
 void draw_turntable(const PanelContext& context, FilmForm& form) {
     if (form.frames > 1) {
-        ImGui::Checkbox("Turntable", &form.chosen.turns);
-        note_widget(context, "film turns");
-        explain_item("The view goes round, also while frames run");
+        draw_checkbox(context, "Turntable", form.chosen.turns, "film turns", "The view goes round, also while frames run");
         ImGui::SameLine(left_of_film_fields());
     } else {
         label("Turntable");
@@ -112,17 +107,15 @@ void draw_quality(const PanelContext& context, FilmForm& form) {
 void draw_background(const PanelContext& context, FilmForm& form) {
     ImGui::BeginDisabled(!form.judged.has_alpha);
     bool transparent = form.chosen.transparent && form.judged.has_alpha;
-    if (ImGui::Checkbox("Transparent background", &transparent)) form.chosen.transparent = transparent;
-    note_widget(context, "film transparent");
-    explain_item(form.judged.has_alpha ? "Where no sphere is, nothing is"
-                                       : "Animated PNG, Matroska and pictures can be transparent");
+    const char* help =
+        form.judged.has_alpha ? "Where no sphere is, nothing is" : "Animated PNG, Matroska and pictures can be transparent";
+    if (draw_checkbox(context, "Transparent background", transparent, "film transparent", help))
+        form.chosen.transparent = transparent;
     ImGui::EndDisabled();
     if (form.marks.empty()) return;
     const std::string with = "With " + form.marks;
     same_line_within(ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + width_of(with), 2.0F * ImGui::GetFontSize());
-    ImGui::Checkbox(with.c_str(), &form.chosen.marks);
-    note_widget(context, "film marks");
-    explain_item("What the window shows over its picture");
+    draw_checkbox(context, with, form.chosen.marks, "film marks", "What the window shows over its picture");
 }
 
 }  // namespace

@@ -185,17 +185,10 @@ private:
                                 pixel.light ? pixel.light->blocker : std::nullopt,
                                 true,
                                 kind_of(pixel)};
-        const auto explained = [&](std::int32_t number) {
-            return std::ranges::find(e.hits, number, &ExplainedHit::number) != e.hits.end() ||
-                   std::ranges::find(e.passed, number, &SphereOnLine::number) != e.passed.end();
-        };
-        if (state_.subject && !explained(*state_.subject)) state_.subject.reset();
-        const std::int32_t subject = state_.subject      ? *state_.subject
-                                     : !e.hits.empty()   ? e.hits.front().number
-                                     : !e.passed.empty() ? e.passed.front().number
-                                                         : visible_background;
+        if (state_.subject && !is_explained(e, *state_.subject)) state_.subject.reset();
+        const std::int32_t subject = state_.subject.value_or(first_explained(e));
         const auto choose = [&](std::optional<std::int32_t> clicked) {
-            if (clicked && explained(*clicked)) state_.subject = clicked;
+            if (clicked && is_explained(e, *clicked)) state_.subject = clicked;
         };
         choose(draw_ray_section(context_, "ray drawing", of, subject));
         if (!has_sphere(scene_, subject)) return;

@@ -197,9 +197,7 @@ private:
     void draw_sun() {
         begin_field(context_, "sun");
         bool on = light_.sun.has_value();
-        const bool toggled = ImGui::Checkbox("##sun", &on);
-        note_widget(context_, "sun");
-        if (toggled) {
+        if (draw_checkbox(context_, "##sun", on, "sun")) {
             if (on) {
                 switch_on(state_.last_sun ? state_.last_sun->direction : rounded(in_scene(unit(first_sun))));
             } else {
@@ -272,10 +270,6 @@ private:
 
 }  // namespace
 
-void draw_light_panel(const PanelContext& context, SidePanelState& state) {
-    ImGui::PushID("light");
-    LightPanel(context, state).draw();
-    ImGui::PopID();
-}
+void draw_light_panel(const PanelContext& context, SidePanelState& state) { LightPanel(context, state).draw(); }
 
 }  // namespace sphereview

@@ -3,9 +3,9 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "scene/property_names.hpp"
 
@@ -31,8 +31,7 @@ void FilterSearch::begin(const Scene& scene, std::string_view filter) {
     unnamed_ = std::string_view("sphere").find(wanted_) != std::string_view::npos;  // as every unnamed sphere is titled
     const std::string_view digits = digits_of(wanted_);
     std::uint64_t first = 0;
-    const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), first);
-    if (digits.empty() || fault != std::errc() || (digits.front() == '0' && digits.size() > 1)) return;
+    if (!parse_whole(digits, first) || (digits.front() == '0' && digits.size() > 1)) return;
     for (std::uint64_t behind = first + 1; first < count_; first *= 10, behind *= 10) {
         numbers_.push_back({first, behind});
         if (first == 0) break;

@@ -308,9 +308,7 @@ void note_colors(LookPanelState& state, UsedColors colors) {
 }
 
 void draw_look_panel(const PanelContext& context, LookPanelState& state, NumberFields& numbers) {
-    ImGui::PushID("look");
     LookPanel(context, state, numbers).draw();
-    ImGui::PopID();
 }
 
 }  // namespace sphereview

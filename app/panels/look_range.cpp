@@ -146,13 +146,11 @@ private:
         }
         ImGui::SameLine(0.0F, 2.0F * gap);
         bool log = state_.colors.log;
-        if (ImGui::Checkbox("log", &log)) {
+        if (draw_checkbox(context_, "log", log, "logarithm", "Colours by the logarithm of the numbers")) {
             state_.colors.log = log;
             if (log) state_.colors.range.reset();  // which may not be above 0
             changed_ = 0;
         }
-        note_widget(context_, "logarithm");
-        explain_item("Colours by the logarithm of the numbers");
     }
 
     void take_seen() {

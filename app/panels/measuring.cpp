@@ -34,16 +34,13 @@ const char* next_click(std::size_t spheres) {
 void draw_values(const std::vector<Measure>& measures) {
     if (!ImGui::BeginTable("##measures", 2)) return;
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
-    float widest = 0.0F;
-    for (const Measure& one : measures) {
-        widest = std::max(widest, width_of(value_text(one, digits)));
-    }
-    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, widest);
+    const auto text_of = [](const Measure& one) { return value_text(one, digits); };
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, widest_of(measures, text_of));
     for (const Measure& one : measures) {
         ImGui::TableNextColumn();
         wrapped_text(one.name);
         ImGui::TableNextColumn();
-        ImGui::TextUnformatted(value_text(one, digits).c_str());
+        ImGui::TextUnformatted(text_of(one).c_str());
         explain_item(shortest(one.value));
     }
     ImGui::EndTable();

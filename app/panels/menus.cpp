@@ -37,8 +37,7 @@ void draw_table(const PanelContext& context, const std::string& title, const std
     if (!ImGui::BeginTable(title.c_str(), columns, ImGuiTableFlags_RowBg | ImGuiTableFlags_PadOuterX)) return;
     const float most = 0.9F * ImGui::GetContentRegionAvail().x / static_cast<float>(columns);
     for (std::size_t i = 0; i + 1 < lines.front().size(); ++i) {
-        float widest = 0.0F;
-        for (const auto& words : lines) widest = std::max(widest, width_of(words[i]));
+        const float widest = widest_of(lines, [i](const auto& words) { return words[i]; });
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, std::min(widest, most));
     }
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);

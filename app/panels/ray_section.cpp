@@ -209,15 +209,19 @@ SectionWindow window_for(const RaySection& section, double aspect) {
 
 }  // namespace
 
+bool is_explained(const PixelExplanation& e, std::int32_t number) {
+    return std::ranges::find(e.hits, number, &ExplainedHit::number) != e.hits.end() ||
+           std::ranges::find(e.passed, number, &SphereOnLine::number) != e.passed.end();
+}
+
+std::int32_t first_explained(const PixelExplanation& e) {
+    return !e.hits.empty() ? e.hits.front().number : !e.passed.empty() ? e.passed.front().number : visible_background;
+}
+
 RaySection section_of(const SectionSubject& of, std::optional<std::int32_t> subject, double aspect) {
     const PixelExplanation& e = of.explanation;
-    const auto is_of = [&](std::int32_t number) {
-        return has_sphere(of.scene, number) && (std::ranges::find(e.hits, number, &ExplainedHit::number) != e.hits.end() ||
-                                                std::ranges::find(e.passed, number, &SphereOnLine::number) != e.passed.end());
-    };
-    if (!subject || !is_of(*subject)) {
-        subject = !e.hits.empty() ? e.hits.front().number : !e.passed.empty() ? e.passed.front().number : -1;
-    }
+    const auto is_of = [&](std::int32_t number) { return has_sphere(of.scene, number) && is_explained(e, number); };
+    if (!subject || !is_of(*subject)) subject = first_explained(e);
     const Sphere* sphere = is_of(*subject) ? &of.scene.spheres[static_cast<std::size_t>(*subject)] : nullptr;
     const Plane plane(of, sphere);
     const double length = glm::length(e.direction);

@@ -72,13 +72,18 @@ struct SectionSubject {
     const char* name_of_sun = "sun";  // or "light"
 };
 
+// Whether the explanation has a hit or a near miss of that sphere.
+bool is_explained(const PixelExplanation& explanation, std::int32_t number);
+// The sphere of the nearest hit, or else of the nearest near miss; visible_background where there is none.
+std::int32_t first_explained(const PixelExplanation& explanation);
+
 // The ray from the point that a pixel shows to the sun as an explanation of its own, in double, whose t are lengths: what is in the
 // way is its hit, and the sphere that the point is on lies behind it. Nothing where no sphere is seen.
 std::optional<PixelExplanation> shadow_ray(const Scene& scene, const PixelExplanation& pixel, const glm::dvec3& sun,
                                            std::optional<std::int32_t> blocker);
 
-// `subject`: the sphere through whose centre the plane goes; by default, and where that is none of the explanation, the nearest
-// hit, or else the nearest near miss. `aspect`: the width of the drawing by its height. The window holds what matters most, as long
+// `subject`: the sphere through whose centre the plane goes; by default, and where that is none of the explanation,
+// first_explained(). `aspect`: the width of the drawing by its height. The window holds what matters most, as long
 // as the subject stays large enough to be seen: the subject, the eye, the screen, the other hits, what is in the way of the sun,
 // near misses, what is behind the eye.
 RaySection section_of(const SectionSubject& of, std::optional<std::int32_t> subject, double aspect);

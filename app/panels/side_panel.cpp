@@ -70,15 +70,14 @@ std::optional<std::vector<std::uint32_t>> filtered(const PanelContext& context, 
 }
 
 void select_filtered(const PanelContext& context, SidePanelState& state) {
-    auto found = filtered(context, state);
-    if (!found) return;
-    std::vector<std::uint32_t> numbers = std::move(*found);
+    auto numbers = filtered(context, state);
+    if (!numbers) return;
     if (ImGui::GetIO().KeyCtrl) {
         const auto& others = context.selection.numbers();
-        numbers.insert(numbers.begin(), others.begin(), others.end());
+        numbers->insert(numbers->begin(), others.begin(), others.end());
     }
     Selection selection;
-    selection.set(std::move(numbers));
+    selection.set(std::move(*numbers));
     context.actions.emplace_back(SelectSpheres{std::move(selection)});
 }
 
@@ -270,7 +269,9 @@ void draw_side_panel(const PanelContext& context, SidePanelState& state) {
     ImGui::TextDisabled("%s", count_in_words(context, state).c_str());
     const auto part = [&](const char* name, const std::string& heading, const auto& draw_contents, ImGuiTreeNodeFlags flags = 0) {
         if (!draw_part(context, state, name, heading, flags)) return;
+        ImGui::PushID(name);
         draw_contents();
+        ImGui::PopID();
         end_part(state, name);
     };
     part(

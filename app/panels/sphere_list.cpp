@@ -80,17 +80,13 @@ void draw_words(const PanelContext& context, std::uint32_t number, ImVec2 place,
     const std::string radius = short_text(sphere.radius);
     const float radius_left = right - ImGui::CalcTextSize(radius.c_str()).x;
     const float title_right = radius_left - ImGui::GetStyle().ItemSpacing.x;
-    const ImVec4 dim = ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled);
-    ImGui::PushStyleColor(ImGuiCol_Text, sphere.hidden ? dim : ImGui::GetStyleColorVec4(ImGuiCol_Text));
     ImGui::SetCursorScreenPos(place);
     ImGui::PushClipRect(place, {std::max(place.x, title_right), place.y + ImGui::GetTextLineHeight()}, true);
-    ImGui::TextUnformatted(title.c_str());
+    const ImVec4 color = ImGui::GetStyleColorVec4(sphere.hidden ? ImGuiCol_TextDisabled : ImGuiCol_Text);
+    ImGui::TextColored(color, "%s", title.c_str());
     ImGui::PopClipRect();
-    ImGui::PopStyleColor();
     ImGui::SetCursorScreenPos({radius_left, place.y});
-    ImGui::PushStyleColor(ImGuiCol_Text, dim);
-    ImGui::TextUnformatted(radius.c_str());
-    ImGui::PopStyleColor();
+    ImGui::TextDisabled("%s", radius.c_str());
     if (hovered && place.x + ImGui::CalcTextSize(title.c_str()).x > title_right) ImGui::SetTooltip("%s", title.c_str());
 }
 

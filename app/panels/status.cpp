@@ -59,7 +59,6 @@ struct Trouble {
     std::string heading;
     std::string& text;
     bool log = false;
-    float top = 0.0F;  // where its window begins
 };
 
 // Draws the heading and the button that closes. Returns whether the button was pressed.
@@ -74,17 +73,16 @@ bool draw_heading(const PanelContext& context, const Trouble& trouble) {
     return closed;
 }
 
-// Draws a box with a red edge, unless there is no text. Returns the y of its lower edge.
-float draw_trouble(const PanelContext& context, const Trouble& trouble, const Rectangle& area) {
-    if (trouble.text.empty()) return trouble.top;
+// Draws a box with a red edge, unless there is no text. `top`: where the box before ends; gets where this one does.
+void draw_trouble(const PanelContext& context, const Trouble& trouble, const Rectangle& area, float& top) {
+    if (trouble.text.empty()) return;
     const float margin = 12.0F * context.scale;
     const float width = std::max(area.width - 2.0F * margin, 8.0F * ImGui::GetFontSize());
-    ImGui::SetNextWindowPos({area.x + margin, trouble.top + margin});
+    ImGui::SetNextWindowPos({area.x + margin, top + margin});
     // Its height is what the text needs, up to a part of the picture; the rest is scrolled.
     ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, std::max(0.45F * area.height, 6.0F * ImGui::GetFontSize())});
     ImGui::PushStyleColor(ImGuiCol_Border, ImVec4(0.88F, 0.27F, 0.25F, 1.0F));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 2.0F * context.scale);
-    float bottom = trouble.top;
     if (ImGui::Begin((std::string("###") + trouble.name).c_str(), nullptr, quiet_window | ImGuiWindowFlags_AlwaysAutoResize)) {
         const bool closed = draw_heading(context, trouble);
         const auto& fonts = ImGui::GetIO().Fonts->Fonts;
@@ -98,13 +96,12 @@ float draw_trouble(const PanelContext& context, const Trouble& trouble, const Re
         wrapped_text(trouble.text, width - ImGui::GetStyle().WindowPadding.x - ImGui::GetStyle().ScrollbarSize);
         if (monospaced) ImGui::PopFont();
         note_window(context, std::string("message ") + trouble.name);
-        bottom = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;
+        top = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;
         if (closed) trouble.text.clear();
     }
     ImGui::End();
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
-    return bottom;
 }
 
 // As much of the text as is no wider than that, with dots where something is missing.
@@ -178,17 +175,14 @@ std::string under_pointer(const PanelContext& context, const Status& status) {
 }  // namespace
 
 CancelledWork draw_messages(const PanelContext& context, Messages& messages, const Rectangle& area, const CornerMarks& marks) {
-    const Trouble scene{"scene error", "The scene file cannot be read; the last good scene is shown.", messages.scene_error, false,
-                        area.y};
-    float below = draw_trouble(context, scene, area);
-    below =
-        draw_trouble(context,
-                     {"scene gone", "The scene's file is gone: the scene is in this window alone. Saving writes the file again.",
-                      messages.scene_gone, false, below},
-                     area);
-    below = draw_trouble(
-        context, {"shader error", "A shader does not compile; the last good one is running.", messages.shader_error, true, below},
-        area);
+    float below = area.y;
+    for (const Trouble& trouble :
+         {Trouble{"scene error", "The scene file cannot be read; the last good scene is shown.", messages.scene_error},
+          {"scene gone", "The scene's file is gone: the scene is in this window alone. Saving writes the file again.",
+           messages.scene_gone},
+          {"shader error", "A shader does not compile; the last good one is running.", messages.shader_error, true}}) {
+        draw_trouble(context, trouble, area, below);
+    }
     CancelledWork cancelled;
     if (messages.work) cancelled.work = draw_work(context, "work", *messages.work, area, below);
     if (messages.film) cancelled.film = draw_work(context, "film", *messages.film, area, below);

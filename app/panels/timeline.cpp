@@ -219,9 +219,7 @@ private:
     void draw_words(const std::string& text, float width, const ImVec4& color, const char* name, const std::string& help) {
         ImGui::SetCursorScreenPos({left_.x + std::max(width - width_of(text), 0.0F), left_.y});
         ImGui::AlignTextToFramePadding();
-        ImGui::PushStyleColor(ImGuiCol_Text, color);
-        ImGui::TextUnformatted(text.c_str());
-        ImGui::PopStyleColor();
+        ImGui::TextColored(color, "%s", text.c_str());
         note_widget(context_, name);
         explain_item(help);
         left_.x += width + gap();

@@ -184,10 +184,17 @@ bool draw_button(const PanelContext& context, const char* label, const std::stri
     return pressed;
 }
 
+bool draw_checkbox(const PanelContext& context, const std::string& label, bool& value, const std::string& widget,
+                   const std::string& help) {
+    const bool changed = ImGui::Checkbox(label.c_str(), &value);
+    note_widget(context, widget);
+    if (!help.empty()) explain_item(help);
+    return changed;
+}
+
 std::optional<std::size_t> draw_choice(const PanelContext& context, const std::string& widget,
-                                       const std::vector<std::string>& words, std::size_t present, const std::string& help,
-                                       ImGuiComboFlags flags) {
-    const bool open = ImGui::BeginCombo(("##" + widget).c_str(), words[present].c_str(), flags);
+                                       const std::vector<std::string>& words, std::size_t present, const std::string& help) {
+    const bool open = ImGui::BeginCombo(("##" + widget).c_str(), words[present].c_str());
     note_widget(context, widget);
     if (!open) {
         if (!help.empty()) explain_item(help);

@@ -3,6 +3,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -46,11 +48,14 @@ void draw_command_buttons(const PanelContext& context, const std::vector<Command
 bool draw_button(const PanelContext& context, const char* label, const std::string& widget, const std::string& help = "",
                  bool enabled = true, ImVec2 size = {0.0F, 0.0F});
 
+// The same for a box to tick. Returns whether `value` has changed.
+bool draw_checkbox(const PanelContext& context, const std::string& label, bool& value, const std::string& widget,
+                   const std::string& help = "");
+
 // A field that opens to a list of words, of which `present` is chosen. Returns the place of another one that was chosen now. Noted
 // as `widget` and, for each, "WIDGET WORDS".
 std::optional<std::size_t> draw_choice(const PanelContext& context, const std::string& widget,
-                                       const std::vector<std::string>& words, std::size_t present, const std::string& help = "",
-                                       ImGuiComboFlags flags = 0);
+                                       const std::vector<std::string>& words, std::size_t present, const std::string& help = "");
 
 // In a list of words that is open: Escape closes it, also in a dialog, where ImGui's own keys are off.
 void close_list_by_escape();
@@ -89,6 +94,13 @@ void fault_text(const std::string& text);
 
 // Of a text on one line, in pixels.
 float width_of(std::string_view text);
+// Of the widest of what `text_of` makes of the items.
+template <typename Items, typename TextOf = std::identity>
+float widest_of(const Items& items, const TextOf& text_of = {}) {
+    float widest = 0.0F;
+    for (const auto& item : items) widest = std::max(widest, width_of(text_of(item)));
+    return widest;
+}
 // Of a text on lines of that width.
 float wrapped_height(std::string_view text, float width);
 

@@ -10,6 +10,7 @@
 #include "app/failure.hpp"
 #include "base/path.hpp"
 #include "base/text.hpp"
+#include "exact/explain.hpp"
 #include "image/picture_file.hpp"
 #include "mistakes/comparer.hpp"
 #include "mistakes/diagnosis.hpp"

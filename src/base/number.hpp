@@ -23,10 +23,11 @@ NumberFault parse_double(std::string_view token, double& value);
 // (Fortran where the exponent's letter is left out).
 NumberFault parse_any_double(std::string_view token, double& value);
 
-// Reads the whole of `token` as a whole number; false, with `value` undefined, when `token` is none or `value` cannot hold it.
+// Reads the whole of `token` as a whole number, without a mark of its base; false, with `value` undefined, when `token` is none or
+// `value` cannot hold it.
 template <typename Whole>
-bool parse_whole(std::string_view token, Whole& value) {
-    const auto read = std::from_chars(token.data(), token.data() + token.size(), value);
+bool parse_whole(std::string_view token, Whole& value, int base = 10) {
+    const auto read = std::from_chars(token.data(), token.data() + token.size(), value, base);
     return read.ec == std::errc{} && read.ptr == token.data() + token.size();
 }
 

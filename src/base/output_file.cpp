@@ -110,11 +110,15 @@ fs::path hidden_sibling(const fs::path& target) {
 #ifdef _WIN32
 
 // Writes all bytes; false, with errno set, if that fails.
+bool write_all(std::FILE* file, std::string_view bytes) {
+    const bool good = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+    return std::fflush(file) == 0 && good;
+}
+
 bool write_to_stdout(std::string_view bytes) {
     std::FILE* file = binary(stdout);
     errno = 0;
-    bool good = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
-    good = std::fflush(file) == 0 && good;
+    const bool good = write_all(file, bytes);
     // The library has no number of its own for a pipe whose reader is gone, and it may clear what GetLastError() would tell.
     const auto handle = reinterpret_cast<HANDLE>(_get_osfhandle(_fileno(file)));
     if (!good && errno == EINVAL && GetFileType(handle) == FILE_TYPE_PIPE) errno = EPIPE;
@@ -138,21 +142,11 @@ Opened create(const fs::path& path, const fs::file_status&) {
 }
 Opened open_special(const std::string& path) { return open_file(path, "wb"); }
 Opened open_written(const fs::path& path) { return open_file(text_from(path), "r+b"); }
+Opened opened(std::FILE* file) { return file; }
+bool close_opened(Opened file) { return std::fclose(file) == 0; }
 
 // Puts on the disk what was written; false, with errno set, if that fails.
-bool sync(std::FILE* file) { return _commit(_fileno(file)) == 0; }
-
-// Writes all bytes and closes; false, with errno set, if any step fails.
-bool write_and_close(Opened file, std::string_view bytes, Durability durability) {
-    errno = 0;
-    bool good = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
-    good = std::fflush(file) == 0 && good;
-    good = good && (durability == Durability::in_system || sync(file));
-    const int first_error = errno;
-    const bool closed = std::fclose(file) == 0;
-    if (!good) errno = first_error;
-    return good && closed;
-}
+bool sync(Opened file) { return _commit(_fileno(file)) == 0; }
 
 #else
 
@@ -192,25 +186,36 @@ Opened open_written(const fs::path& path) {
     return uninterrupted([&] { return open(path.c_str(), O_WRONLY | O_CLOEXEC); });
 }
 
+// Not through the library's buffer, which forgets what a signal kept it from writing.
+Opened opened(std::FILE* file) { return fileno(file); }
+
+// Interrupted, the handle is closed all the same.
+bool close_opened(Opened handle) { return close(handle) == 0 || errno == EINTR; }
+
 // File systems without such a thing say that it is invalid.
-bool sync(int handle) {
+bool sync(Opened handle) {
 #ifdef F_FULLFSYNC
     if (fcntl(handle, F_FULLFSYNC) == 0) return true;
 #endif
     return uninterrupted([&] { return fsync(handle); }) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS;
 }
-bool sync(std::FILE* file) { return sync(fileno(file)); }
 
-// Writes all bytes and closes; false, with errno set, if any step fails.
-bool write_and_close(Opened handle, std::string_view bytes, Durability durability) {
-    const bool good = write_all(handle, bytes) && (durability == Durability::in_system || sync(handle));
+#endif
+
+// Writes all bytes; false, with errno set, if any step fails.
+bool write_by(Durability durability, Opened file, std::string_view bytes) {
+    errno = 0;
+    return write_all(file, bytes) && (durability == Durability::in_system || sync(file));
+}
+
+// The same, and closes.
+bool write_and_close(Opened file, std::string_view bytes, Durability durability) {
+    const bool good = write_by(durability, file, bytes);
     const int first_error = errno;
-    const bool closed = close(handle) == 0 || errno == EINTR;  // interrupted, the handle is closed all the same
+    const bool closed = close_opened(file);
     if (!good) errno = first_error;
     return good && closed;
 }
-
-#endif
 
 // The names in `folder` are on the disk when this returns true. Windows takes care of its names itself.
 bool are_names_on_disk(const fs::path& folder) {
@@ -260,14 +265,19 @@ void rename_to(const std::string& path, const Target& target, const fs::path& te
     if (durability == Durability::on_disk && !are_names_on_disk(target.path.parent_path())) fail_by_errno(path);
 }
 
-void replace(const std::string& path, const Target& target, std::string_view bytes, Durability durability) {
-    const fs::path temporary = hidden_sibling(target.path);
-    const Unfinished unfinished;
+// A new file beside the output, with the bytes in it. The caller holds an Unfinished.
+fs::path written_beside(const std::string& path, const Target& target, std::string_view bytes, Durability durability) {
+    fs::path temporary = hidden_sibling(target.path);
     errno = 0;
     const Opened file = create(temporary, target.status);
     if (file == not_opened) fail_by_errno(path);
     if (!write_and_close(file, bytes, durability)) give_up(path, temporary, errno);
-    rename_to(path, target, temporary, durability);
+    return temporary;
+}
+
+void replace(const std::string& path, const Target& target, std::string_view bytes, Durability durability) {
+    const Unfinished unfinished;
+    rename_to(path, target, written_beside(path, target, bytes, durability), durability);
 }
 
 // Throws OutputError when that plainly cannot become an output.
@@ -343,26 +353,13 @@ void write_regular_file(const std::string& path, std::string_view bytes, Durabil
     replace(path, regular_target_of(path), bytes, durability);
 }
 
-bool append(std::FILE* file, std::string_view bytes, Durability durability) {
-    errno = 0;
-#ifdef _WIN32
-    const bool good = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() && std::fflush(file) == 0;
-#else
-    // Not through the library's buffer, which forgets what a signal kept it from writing.
-    const bool good = write_all(fileno(file), bytes);
-#endif
-    return good && (durability == Durability::in_system || sync(file));
-}
+bool append(std::FILE* file, std::string_view bytes, Durability durability) { return write_by(durability, opened(file), bytes); }
 
 OutputPlace::OutputPlace(const std::string& path) : path_(path) {
     const Target target = regular_target_of(path);
     target_ = target.path;
-    temporary_ = hidden_sibling(target.path);
     const Unfinished unfinished;
-    errno = 0;
-    const Opened file = create(temporary_, target.status);
-    if (file == not_opened) fail_by_errno(path);
-    if (!write_and_close(file, {}, Durability::in_system)) give_up(path, temporary_, errno);
+    temporary_ = written_beside(path, target, {}, Durability::in_system);
 }
 
 OutputPlace::~OutputPlace() {

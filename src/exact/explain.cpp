@@ -289,6 +289,12 @@ PixelExplanation explain_pixel(const Scene& scene, const DrawnSpheres& drawn, co
     return out;
 }
 
+std::string called(const Scene& scene, std::int32_t number) {
+    if (number == visible_background) return "the background";
+    const auto name = scene.names.find(static_cast<std::uint32_t>(number));
+    return "sphere " + std::to_string(number) + (name == scene.names.end() ? "" : " " + in_quotes(name->second));
+}
+
 std::string vector_in_words(const glm::dvec3& v) {
     const auto part = [](double value) {
         return std::isinf(value) ? (value > 0.0 ? "" : "-") + std::string("(too large for a double)") : shortest(value + 0.0);

@@ -81,7 +81,8 @@ PixelExplanation explain_pixel(const Scene& scene, const DrawnSpheres& drawn, co
                                const CandidateLists* lists = nullptr,
                                std::size_t most_hits = std::numeric_limits<std::size_t>::max(), std::size_t most_passed = 0);
 
-// What an explanation says in words, for whoever shows it.
+// What an explanation says in words, for whoever shows it: "sphere 2 'sun'" or "the background".
+std::string called(const Scene& scene, std::int32_t number);
 std::string vector_in_words(const glm::dvec3& v);
 
 // O and D, with what they are.

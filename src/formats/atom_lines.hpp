@@ -89,9 +89,11 @@ inline bool read_place_if_any(TokenReader& reader, const OfAtom& the, glm::dvec3
 // wanted one it notes where the atoms are.
 class FrameFinder {
 public:
-    explicit FrameFinder(const TextSource& source) : source_(source), walker_(source.text, line_end_of(source.text)) {}
+    FrameFinder(const TextSource& source, const PartOfFile& part)
+        : source_(source), walker_(source.text, line_end_of(source.text)), of_first_(part.of_first) {}
 
-    const TextSource& source() const { return source_; }
+    // PartOfFile::of_first for the next frame.
+    std::size_t of_first() const { return of_first_; }
     bool at_end() const { return walker_.at_end(); }
     // Where the next line begins.
     std::size_t offset() const { return walker_.offset(); }
@@ -129,6 +131,7 @@ protected:
 
     const TextSource& source_;
     LineWalker walker_;
+    std::size_t of_first_;
 
 private:
     std::string of_frame_{};
@@ -197,26 +200,38 @@ SphereData read_wanted_frame(const TextSource& source, const DataOptions& option
     return data;
 }
 
-// What SceneFormat::step_over gives, by a finder of frames that stands at the first one of its text. read_frame(frame) reads one.
+// SceneFormat::read of a format that needs no more than its finder and read_frame(source, frame, options).
 template <typename Finder, typename ReadFrame>
-std::optional<std::size_t> step_over_frame(Finder& finder, bool ended, std::int64_t number, const ReadFrame& read_frame) {
+SphereData read_frame_of(std::string_view content, const std::string& name, const DataOptions& options, const char* beginning,
+                         const ReadFrame& read_frame) {
+    const TextSource source{name, text_of_file(content), options.part.origin};
+    Finder finder(source, options.part);
+    return read_wanted_frame(source, options, finder, beginning,
+                             [&](const auto& frame) { return read_frame(source, frame, options); });
+}
+
+// Likewise SceneFormat::step_over.
+template <typename Finder, typename ReadFrame>
+std::optional<std::size_t> step_over_frame(std::string_view text, bool ended, const std::string& name, PartOfFile& part,
+                                           const ReadFrame& read_frame) {
+    // Cut off anywhere, a text has some lines that are whole.
+    const std::string_view lines = ended ? text : text.substr(0, text.rfind(line_end_of(text)) + 1);
+    const TextSource source{name, lines, part.origin};
+    Finder finder(source, part);
     try {
         typename Finder::Frame frame;
-        const bool found = finder.next(frame, number, false);
-        const TextSource& source = finder.source();
-        const std::string fault = ended && found && number > 0 ? fault_of_last_line(source, finder, frame, number, read_frame) : "";
-        if (!fault.empty()) throw TextEnds(fault, source.text.size());
+        const bool found = finder.next(frame, part.frames, false);
+        const auto read = [&](const auto& last) { read_frame(source, last, DataOptions{}); };
+        const bool may_be_cut = ended && found && part.frames > 0;
+        const std::string fault = may_be_cut ? fault_of_last_line(source, finder, frame, part.frames, read) : "";
+        if (!fault.empty()) throw TextEnds(fault, lines.size());
         if (finder.at_end() && !ended) return std::nullopt;  // a line that belongs to the frame may follow
+        part.of_first = finder.of_first();
         return found ? finder.offset() : 0;
     } catch (const TextEnds&) {
         if (ended) throw;
         return std::nullopt;
     }
-}
-
-// Of a text that may be cut off anywhere unless it has `ended`: its lines that are whole.
-inline std::string_view whole_lines(std::string_view text, bool ended) {
-    return ended ? text : text.substr(0, text.rfind(line_end_of(text)) + 1);
 }
 
 // Throws InputError where a computed place, of the atom with that line, is beyond a double.

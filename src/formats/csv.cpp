@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <glm/vec3.hpp>
 #include <limits>
@@ -169,30 +168,8 @@ private:
     }
 
     bool set_channel(CsvColumn column, std::uint8_t& channel, double& largest, bool& odd) const {
-        const CsvField& text = field(column);
-        if (!parse_whole(text.text, channel)) return set_odd_channel(text.text, channel, largest, odd);
-        largest = std::max(largest, static_cast<double>(channel));
-        if (full_color_ != color_max) channel = color_byte(channel, full_color_).value_or(color_max);
-        return true;
-    }
-
-    // 0.5, 255.0 and 65535; also 100% and 0xff, which mean the same in every column.
-    bool set_odd_channel(std::string_view text, std::uint8_t& channel, double& largest, bool& odd) const {
-        constexpr double percent = 100.0;
-        double value = 0.0;
-        std::optional<std::uint8_t> byte;
-        if (text.ends_with('%') &&
-            parse_csv_number(trimmed(text.substr(0, text.size() - 1)), Commas::decimal, value) == NumberFault::none) {
-            byte = color_byte(value, percent);
-        } else if (has_hex_mark(text) && text[0] == '0') {
-            std::uint8_t read = 0;
-            const auto end = text.data() + text.size();
-            const auto result = std::from_chars(text.data() + 2, end, read, 16);
-            if (result.ec == std::errc{} && result.ptr == end) byte = read;
-        } else if (parse_csv_number(text, Commas::decimal, value) == NumberFault::none) {
-            if (value <= most_of_color) largest = std::max(largest, value);
-            byte = color_byte(value, full_color_);
-        }
+        const std::string_view text = field(column).text;
+        const auto byte = parse_color_byte(text, full_color_, largest);
         odd = odd || (!byte && !is_missing(text));
         channel = byte.value_or(0);
         return byte.has_value();

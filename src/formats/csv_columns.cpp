@@ -1,6 +1,7 @@
 #include "formats/csv_columns.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <initializer_list>
 #include <iterator>
 
@@ -99,22 +100,23 @@ std::string_view without_unit(std::string_view name) {
     return name.size() > in.size() && name.ends_with(in) ? name.substr(0, name.size() - in.size()) : name;
 }
 
+// Where the key is among what `key_of` makes of the names.
+template <typename KeyOf = std::identity>
+std::optional<std::size_t> place_among(const std::vector<std::string>& names, std::string_view key, KeyOf key_of = {}) {
+    const auto found = std::ranges::find(names, key, key_of);
+    return found == names.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - names.begin()));
+}
+
 class Names {
 public:
     explicit Names(const std::vector<std::string>& names) : names_(names) {
         std::ranges::transform(names, std::back_inserter(keys_), [](const std::string& name) { return column_key(name); });
     }
 
-    std::optional<std::size_t> find(std::string_view key) const {
-        const auto found = std::ranges::find(keys_, key);
-        return found == keys_.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - keys_.begin()));
-    }
+    std::optional<std::size_t> find(std::string_view key) const { return place_among(keys_, key); }
 
     // The column that is called so, to the letter.
-    std::optional<std::size_t> find_exactly(std::string_view name) const {
-        const auto found = std::ranges::find(names_, name);
-        return found == names_.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - names_.begin()));
-    }
+    std::optional<std::size_t> find_exactly(std::string_view name) const { return place_among(names_, name); }
 
     std::optional<std::size_t> first_of(std::initializer_list<std::string_view> keys) const {
         for (const std::string_view key : keys) {
@@ -186,13 +188,9 @@ CsvColumns columns_by_name(const ColumnNames& names) {
 }
 
 std::optional<std::size_t> place_of(const std::string& choice, const ColumnNames& names) {
-    const auto alike = [&](auto like) {
-        const auto found = std::ranges::find_if(names, like);
-        return found == names.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - names.begin()));
-    };
-    if (const auto place = alike([&](const std::string& name) { return name == choice; })) return place;
-    if (const auto place = alike([&](const std::string& name) { return lower_case(name) == lower_case(choice); })) return place;
-    return alike([&](const std::string& name) { return column_key(name) == column_key(choice); });
+    if (const auto place = place_among(names, choice)) return place;
+    if (const auto place = place_among(names, lower_case(choice), lower_case)) return place;
+    return place_among(names, column_key(choice), column_key);
 }
 
 std::optional<std::size_t> number_of(const std::string& choice, std::size_t fields) {

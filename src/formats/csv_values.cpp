@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string>
 
@@ -88,8 +87,7 @@ std::optional<Color> parse_hex_color(std::string_view text) {
     const bool is_short = marked && (text.size() == 3 || text.size() == 4);
     if (!is_short && text.size() != 6 && text.size() != 8) return std::nullopt;
     std::uint32_t code = 0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), code, 16);
-    if (read.ec != std::errc{} || read.ptr != text.data() + text.size()) return std::nullopt;
+    if (!parse_whole(text, code, 16)) return std::nullopt;
     if (text.size() == 8) code >>= 8;
     if (text.size() == 4) code >>= 4;
     const auto part = [code](int shift, std::uint32_t most) { return static_cast<std::uint8_t>((code >> shift) & most); };
@@ -121,6 +119,23 @@ double full_color(double largest) {
 std::optional<std::uint8_t> color_byte(double value, double full) {
     if (!(value >= 0.0 && value <= full * most_of_one)) return std::nullopt;
     return static_cast<std::uint8_t>(std::lround(color_max * std::min(1.0, value / full)));
+}
+
+std::optional<std::uint8_t> parse_color_byte(std::string_view text, double full, double& largest) {
+    std::uint8_t whole = 0;
+    if (parse_whole(text, whole)) {
+        largest = std::max(largest, static_cast<double>(whole));
+        return full == color_max ? whole : color_byte(whole, full).value_or(color_max);
+    }
+    constexpr double percent = 100.0;
+    double value = 0.0;
+    const bool is_part = text.ends_with('%');
+    if (is_part && parse_csv_number(trimmed(text.substr(0, text.size() - 1)), Commas::decimal, value) == NumberFault::none)
+        return color_byte(value, percent);
+    if (has_hex_mark(text) && text[0] == '0') return parse_whole(text.substr(2), whole, 16) ? std::optional(whole) : std::nullopt;
+    if (parse_csv_number(text, Commas::decimal, value) != NumberFault::none) return std::nullopt;
+    if (value <= most_of_color) largest = std::max(largest, value);
+    return color_byte(value, full);
 }
 
 }  // namespace sphereview

@@ -48,4 +48,8 @@ inline constexpr double most_of_color = 65535.0;
 // A number of a colour as its byte; nothing for what is none, or clearly above `full`, which is what stands for 255.
 std::optional<std::uint8_t> color_byte(double value, double full);
 
+// A field of such a number as its byte: 255, or 0.5 and 65535, of which `largest` becomes the largest; also 100% and 0xff, which
+// mean the same whatever `full` is.
+std::optional<std::uint8_t> parse_color_byte(std::string_view text, double full, double& largest);
+
 }  // namespace sphereview

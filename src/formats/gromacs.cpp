@@ -163,16 +163,11 @@ bool shows_gromacs(std::string_view head) {
 }
 
 SphereData read_gromacs(std::string_view content, const std::string& name, const DataOptions& options) {
-    const TextSource source{name, text_of_file(content), options.part.origin};
-    GroFinder finder(source);
-    return read_wanted_frame(source, options, finder, "a title and the number of atoms",
-                             [&](const GroFrame& frame) { return read_gro_frame(source, frame, options); });
+    return read_frame_of<GroFinder>(content, name, options, "a title and the number of atoms", read_gro_frame);
 }
 
 std::optional<std::size_t> step_over_gromacs(std::string_view text, bool ended, const std::string& name, PartOfFile& part) {
-    const TextSource source{name, whole_lines(text, ended), part.origin};
-    GroFinder finder(source);
-    return step_over_frame(finder, ended, part.frames, [&](const GroFrame& frame) { read_gro_frame(source, frame, {}); });
+    return step_over_frame<GroFinder>(text, ended, name, part, read_gro_frame);
 }
 
 }  // namespace sphereview

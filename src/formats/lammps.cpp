@@ -12,6 +12,7 @@
 #include "formats/atom_lines.hpp"
 #include "formats/cell.hpp"
 #include "formats/elements.hpp"
+#include "formats/lammps_columns.hpp"
 #include "formats/point_radius.hpp"
 
 namespace sphereview {
@@ -19,26 +20,6 @@ namespace sphereview {
 namespace {
 
 constexpr std::string_view item_head = "ITEM:";
-constexpr std::size_t longest_item = 1 << 16;  // what is looked at of the line that names columns
-
-enum class DumpField { id, type, element, x, y, z, radius, diameter };
-
-struct DumpColumn {
-    DumpField field;
-    std::size_t place;  // in the line, from 0
-};
-
-// The columns that are drawn, from left to right.
-struct DumpColumns {
-    std::vector<DumpColumn> columns{};
-    std::vector<PropertyColumn> properties{};  // all but the places that are drawn
-    std::array<bool, 3> scaled{};              // x, y and z are parts of the box's edges
-
-    bool has(DumpField field) const { return std::ranges::find(columns, field, &DumpColumn::field) != columns.end(); }
-    bool is_scaled() const { return std::ranges::find(scaled, true) != scaled.end(); }
-    // Where z is missing it is 0, whatever the others are.
-    bool is_mixed() const { return scaled[0] != scaled[1] || (has(DumpField::z) && scaled[1] != scaled[2]); }
-};
 
 // A style of units of LAMMPS, and its unit of time.
 struct DumpUnits {
@@ -64,21 +45,10 @@ std::optional<std::string_view> item_in(std::string_view line) {
     return trimmed(line.substr(item_head.size()), white_space);
 }
 
-// What the head of the atoms names; old dumps name nothing.
-std::vector<std::string_view> names_of_columns(std::string_view head) {
-    auto names = words_of(head.substr(head.find(item_head) + item_head.size(), longest_item));
-    names.erase(names.begin());  // ATOMS
-    return names;
-}
-
 class DumpFinder : public FrameFinder {
 public:
     using Frame = DumpFrame;
-
-    DumpFinder(const TextSource& source, const PartOfFile& part) : FrameFinder(source), units_(part.of_first) {}
-
-    // PartOfFile::of_first for the next frame.
-    std::size_t units() const { return units_; }
+    using FrameFinder::FrameFinder;
 
     bool next(DumpFrame& frame, std::int64_t number, bool wanted) {
         begin_frame(number);
@@ -115,7 +85,7 @@ public:
             } else if (item->starts_with("ATOMS")) {
                 if (!count) source_.fail(words, "ITEM: NUMBER OF ATOMS" + of_frame() + " above it");
                 note_units(name);
-                frame.units = units_;
+                frame.units = of_first_;
                 frame.columns = line;
                 frame.atoms = step_over(*count, wanted);
                 return true;
@@ -140,85 +110,14 @@ private:
     // LAMMPS writes them once, at the beginning.
     void note_units(std::string_view name) {
         const auto known = std::ranges::find(dump_units, name, &DumpUnits::name);
-        if (known != dump_units.end()) units_ = static_cast<std::size_t>(known - dump_units.begin()) + 1;
+        if (known != dump_units.end()) of_first_ = static_cast<std::size_t>(known - dump_units.begin()) + 1;
     }
-
-    std::size_t units_;
 };
 
 // A step's number where that is all there is.
 std::optional<FrameTime> time_of_dump(const DumpFrame& frame) {
     if (frame.time.empty()) return frame_time(frame.step, "steps");
     return frame_time(frame.time, frame.units > 0 && frame.units <= dump_units.size() ? dump_units[frame.units - 1].time : "");
-}
-
-// Which columns the head of the atoms names. Of several kinds of places the first is taken of which all are there: as they are, in
-// parts of the box, and the same two without the jumps at its walls; else of each axis the first.
-DumpColumns dump_columns(const TextSource& source, std::string_view head, const std::vector<std::string_view>& names) {
-    constexpr auto kinds = std::to_array<std::array<std::string_view, 3>>(
-        {{"x", "y", "z"}, {"xs", "ys", "zs"}, {"xu", "yu", "zu"}, {"xsu", "ysu", "zsu"}});
-    const auto place_of = [&](std::string_view name) {
-        return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
-    };
-    DumpColumns found;
-    const auto add = [&](DumpField field, std::string_view name) {
-        const std::size_t place = place_of(name);
-        if (place < names.size()) found.columns.push_back({field, place});
-        return place < names.size();
-    };
-    const auto is_whole = [&](const std::array<std::string_view, 3>& kind) {
-        return std::ranges::all_of(kind, [&](std::string_view name) { return place_of(name) < names.size(); });
-    };
-    const auto whole = std::ranges::find_if(kinds, is_whole);
-    std::array<std::string_view, 3> places{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto has_axis = [&](const auto& kind) { return place_of(kind[axis]) < names.size(); };
-        const auto kind = whole != kinds.end() ? whole : std::ranges::find_if(kinds, has_axis);
-        if (kind == kinds.end()) continue;
-        places[axis] = (*kind)[axis];
-        found.scaled[axis] = (kind - kinds.begin()) % 2 == 1;
-        add(std::array{DumpField::x, DumpField::y, DumpField::z}[axis], places[axis]);
-    }
-    if (places[0].empty() || places[1].empty()) {
-        source.fail_at(trimmed(head, white_space),
-                       "found no places among the columns, expected x y z, xs ys zs, xu yu zu or xsu ysu zsu");
-    }
-    add(DumpField::id, "id");
-    add(DumpField::element, "element");
-    add(DumpField::type, "type");
-    if (!add(DumpField::radius, "radius")) add(DumpField::diameter, "diameter");
-    std::ranges::sort(found.columns, {}, &DumpColumn::place);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (std::ranges::find(places, names[i]) != places.end()) continue;
-        const PropertyKind of_values = names[i] == "element" ? PropertyKind::element
-                                       : names[i] == "type"  ? PropertyKind::words
-                                                             : PropertyKind::found;
-        add_column(found.properties, names[i], of_values, i);
-    }
-    for (const auto& [letter, length] : {std::pair("v", "velocity"), std::pair("f", "force")}) {
-        for (std::size_t i = 0; i + 2 < names.size(); ++i) {
-            const std::string axis(letter);
-            const bool is_vector = names[i] == axis + "x" && names[i + 1] == axis + "y" && names[i + 2] == axis + "z";
-            if (is_vector) add_column(found.properties, length, PropertyKind::magnitude, i);
-        }
-    }
-    return found;
-}
-
-// Of old dumps, which name no columns: as they were written by default, unless a place is far outside of the box.
-std::vector<std::string_view> unnamed_columns(const TextSource& source, const AtomLines& lines) {
-    constexpr double far = 2.0;  // atoms may be a little outside
-    LineWalker walker = lines.walker(source, 0);
-    for (std::size_t i = 0; i < std::min(lines.count, atom_lines_a_piece); ++i) {
-        std::vector<std::string_view> words;
-        split_line(walker.step(), 5, words);
-        for (std::size_t axis = 2; axis < words.size(); ++axis) {
-            double place = 0.0;
-            if (parse_any_double(words[axis], place) == NumberFault::none && std::abs(place) > far)
-                return {"id", "type", "x", "y", "z"};
-        }
-    }
-    return {"id", "type", "xs", "ys", "zs"};
 }
 
 // Reads the lines of a box: its lowest and highest x, y and z, and the tilts xy, xz and yz where the box is none with right angles,
@@ -420,9 +319,7 @@ std::string name_of_dump_atom(std::string_view label) {
 
 SphereData read_dump_frame(const TextSource& source, const DumpFrame& frame, const DataOptions& options) {
     const std::size_t count = frame.atoms.count;
-    std::vector<std::string_view> names = names_of_columns(frame.columns);
-    if (names.empty() && count > 0) names = unnamed_columns(source, frame.atoms);
-    DumpColumns columns = dump_columns(source, frame.columns, names);
+    DumpColumns columns = dump_columns(source, frame.columns, frame.atoms);
     const bool has_ids = columns.has(DumpField::id);
     const std::size_t bytes_of_order = has_ids ? sizeof(std::int64_t) + sizeof(std::uint32_t) : 0;
     require_memory_for_spheres(source.name, count, sizeof(Sphere) + bytes_of_order);
@@ -474,19 +371,11 @@ bool shows_lammps(std::string_view head) {
 }
 
 SphereData read_lammps(std::string_view content, const std::string& name, const DataOptions& options) {
-    const TextSource source{name, text_of_file(content), options.part.origin};
-    DumpFinder finder(source, options.part);
-    return read_wanted_frame(source, options, finder, "ITEM: TIMESTEP",
-                             [&](const DumpFrame& frame) { return read_dump_frame(source, frame, options); });
+    return read_frame_of<DumpFinder>(content, name, options, "ITEM: TIMESTEP", read_dump_frame);
 }
 
 std::optional<std::size_t> step_over_lammps(std::string_view text, bool ended, const std::string& name, PartOfFile& part) {
-    const TextSource source{name, whole_lines(text, ended), part.origin};
-    DumpFinder finder(source, part);
-    const auto length =
-        step_over_frame(finder, ended, part.frames, [&](const DumpFrame& frame) { read_dump_frame(source, frame, {}); });
-    if (length) part.of_first = finder.units();
-    return length;
+    return step_over_frame<DumpFinder>(text, ended, name, part, read_dump_frame);
 }
 
 }  // namespace sphereview

@@ -57,8 +57,7 @@ class PoscarFinder : public FrameFinder {
 public:
     using Frame = PoscarFrame;
 
-    PoscarFinder(const TextSource& source, const PartOfFile& part)
-        : FrameFinder(source), head_frame_(part.of_first), has_frames_(part.of_first > 0) {
+    PoscarFinder(const TextSource& source, const PartOfFile& part) : FrameFinder(source, part) {
         if (part.head.empty()) return;
         const TextSource before{source.name, part.head};
         PoscarFinder other(before, {});
@@ -66,23 +65,22 @@ public:
         head_ = other.head_;
     }
 
-    // PartOfFile::of_first for the next frame.
-    std::size_t head_frame() const { return has_frames_ ? head_frame_ : 0; }
-
     bool next(PoscarFrame& frame, std::int64_t number, bool wanted) {
         begin_frame(number);
         // What follows a POSCAR is velocities and more, and no frame.
-        if (number > 0 && !has_frames_) return false;
+        const bool is_xdatcar = of_first_ > 0;
+        if (number > 0 && !is_xdatcar) return false;
         if (nothing_follows()) return false;
+        std::size_t head_frame = of_first_;
         if (number == 0 || !is_configuration(LineWalker(walker_).step())) {
             read_head();
-            head_frame_ = static_cast<std::size_t>(number) + 1;
+            head_frame = static_cast<std::size_t>(number) + 1;
         }
         frame = head_;
         std::string_view mode = words("Direct or Cartesian");
         if (begins_with(mode, "sS")) mode = words("Direct or Cartesian");  // Selective dynamics
         if (!has_word_first(mode)) source_.fail(mode, "Direct or Cartesian" + of_frame());
-        has_frames_ = has_frames_ || is_configuration(mode);
+        if (is_xdatcar || is_configuration(mode)) of_first_ = head_frame;
         frame.direct = !begins_with(mode, "cCkK");
         frame.atoms = step_over(frame.groups.empty() ? 0 : frame.groups.back().end, wanted);
         return true;
@@ -172,8 +170,6 @@ private:
     }
 
     PoscarFrame head_{};
-    std::size_t head_frame_;
-    bool has_frames_;  // it is an XDATCAR
 };
 
 // Reads the lines of one piece.
@@ -233,21 +229,13 @@ bool shows_poscar(std::string_view head) {
 }
 
 SphereData read_poscar(std::string_view content, const std::string& name, const DataOptions& options) {
-    const TextSource source{name, text_of_file(content), options.part.origin};
-    PoscarFinder finder(source, options.part);
-    return read_wanted_frame(source, options, finder, "a title",
-                             [&](const PoscarFrame& frame) { return read_poscar_frame(source, frame, options); });
+    return read_frame_of<PoscarFinder>(content, name, options, "a title", read_poscar_frame);
 }
 
 std::optional<std::size_t> step_over_poscar(std::string_view text, bool ended, const std::string& name, PartOfFile& part) {
     // A title may be blank, so what comes tells whether a frame does.
     if (!ended && trimmed(text, white_space).empty()) return std::nullopt;
-    const TextSource source{name, whole_lines(text, ended), part.origin};
-    PoscarFinder finder(source, part);
-    const auto length =
-        step_over_frame(finder, ended, part.frames, [&](const PoscarFrame& frame) { read_poscar_frame(source, frame, {}); });
-    if (length) part.of_first = finder.head_frame();
-    return length;
+    return step_over_frame<PoscarFinder>(text, ended, name, part, read_poscar_frame);
 }
 
 }  // namespace sphereview

@@ -273,16 +273,11 @@ bool shows_sdf(std::string_view head) {
 }
 
 SphereData read_sdf(std::string_view content, const std::string& name, const DataOptions& options) {
-    const TextSource source{name, text_of_file(content), options.part.origin};
-    MoleculeFinder finder(source);
-    return read_wanted_frame(source, options, finder, "three lines of title",
-                             [&](const MolFrame& frame) { return read_mol_frame(source, frame, options); });
+    return read_frame_of<MoleculeFinder>(content, name, options, "three lines of title", read_mol_frame);
 }
 
 std::optional<std::size_t> step_over_sdf(std::string_view text, bool ended, const std::string& name, PartOfFile& part) {
-    const TextSource source{name, whole_lines(text, ended), part.origin};
-    MoleculeFinder finder(source);
-    return step_over_frame(finder, ended, part.frames, [&](const MolFrame& frame) { read_mol_frame(source, frame, {}); });
+    return step_over_frame<MoleculeFinder>(text, ended, name, part, read_mol_frame);
 }
 
 }  // namespace sphereview

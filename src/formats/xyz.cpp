@@ -41,10 +41,7 @@ bool is_first_of_tinker(std::string_view line) {
 class XyzFinder : public FrameFinder {
 public:
     using Frame = XyzFrame;
-
-    XyzFinder(const TextSource& source, const PartOfFile& part) : FrameFinder(source), numbers_behind_first_(part.of_first) {}
-
-    std::size_t numbers_behind_first() const { return numbers_behind_first_; }
+    using FrameFinder::FrameFinder;
 
     bool next(XyzFrame& frame, std::int64_t number, bool wanted) {
         begin_frame(number);
@@ -105,8 +102,8 @@ private:
     void check_behind_count(const TokenReader& reader, bool is_first) {
         const auto words = words_of(reader.rest());
         const auto numbers = static_cast<std::size_t>(std::ranges::find_if_not(words, is_number) - words.begin());
-        if (is_first) numbers_behind_first_ = std::min(numbers, atom_numbers);
-        if (numbers >= atom_numbers && numbers_behind_first_ < atom_numbers) {
+        if (is_first) of_first_ = std::min(numbers, atom_numbers);
+        if (numbers >= atom_numbers && of_first_ < atom_numbers) {
             reader.fail("the end of the line after the number of atoms" + of_frame());
         }
     }
@@ -151,7 +148,6 @@ private:
     static constexpr std::size_t alike_lines = 16;
     static constexpr std::size_t least_alike_decimals = 3;
 
-    std::size_t numbers_behind_first_;  // behind the number of atoms of the first frame
     std::string vectors_{};
 };
 
@@ -334,12 +330,7 @@ SphereData read_xyz(std::string_view content, const std::string& name, const Dat
 
 std::optional<std::size_t> step_over_xyz(std::string_view text, bool ended, const std::string& name, PartOfFile& part) {
     if (part.frames == 0 && (is_utf16(text) || shows_points(text))) return ended ? std::optional(text.size()) : std::nullopt;
-    const TextSource source{name, whole_lines(text, ended), part.origin};
-    XyzFinder finder(source, part);
-    const auto length =
-        step_over_frame(finder, ended, part.frames, [&](const XyzFrame& frame) { read_xyz_frame(source, frame, {}); });
-    if (length) part.of_first = finder.numbers_behind_first();
-    return length;
+    return step_over_frame<XyzFinder>(text, ended, name, part, read_xyz_frame);
 }
 
 }  // namespace sphereview

@@ -3,7 +3,6 @@
 #include <stb_image.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
@@ -13,6 +12,7 @@
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/memory.hpp"
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "image/png.hpp"
 
@@ -74,8 +74,7 @@ private:
         const auto end = std::find_if(bytes_.begin() + static_cast<std::ptrdiff_t>(at_), bytes_.end(), is_white);
         const std::string_view word = bytes_.substr(at_, static_cast<std::size_t>(end - bytes_.begin()) - at_);
         int value = 0;
-        const auto parsed = std::from_chars(word.data(), word.data() + word.size(), value);
-        if (word.empty() || parsed.ec != std::errc{} || parsed.ptr != word.data() + word.size() || value < least || value > most) {
+        if (!parse_whole(word, value) || value < least || value > most) {
             fail(word.empty() ? "the end of the file" : in_quotes(word),
                  what + ", " + std::to_string(least) + " to " + std::to_string(most));
         }

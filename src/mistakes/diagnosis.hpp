@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "image/image.hpp"
-#include "mistakes/wrong_tracer.hpp"
+#include "mistakes/wrong_pictures.hpp"
 #include "scene/scene.hpp"
 
 namespace sphereview {

@@ -1,18 +1,12 @@
-// How a ray tracer with a usual mistake sees a scene: for each pixel the number of the sphere that it would show.
+// Ray tracers with usual mistakes.
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <cstdint>
-#include <map>
-#include <memory>
-#include <string>
+#include <compare>
 #include <string_view>
 #include <vector>
 
-#include "exact/candidates.hpp"
-#include "exact/drawn.hpp"
-#include "scene/scene.hpp"
+#include "scene/camera.hpp"
 
 namespace sphereview {
 
@@ -92,38 +86,11 @@ struct WrongTracer {
 // The tracers with one mistake more than this one, of those that can make a difference in a picture of that size.
 std::vector<WrongTracer> with_one_more_mistake(const WrongTracer& tracer, PictureSize size);
 
+// The camera whose right picture shows the tracer's mistakes of orientation and place. Its numbers are rounded once: a ray is off
+// by some 1e-16 of the picture's size, far less than what tells two mistakes apart.
+Camera seen_wrongly(Camera camera, const WrongTracer& tracer, PictureSize size);
+
 // The mistakes of a tracer, one each.
 std::vector<MistakeWords> mistakes_of(const WrongTracer& tracer);
-
-// What wrong tracers see of a scene from its own camera, in pictures of one size. The scene must outlive it.
-class WrongPictures {
-public:
-    // Throws MemoryError when what is kept cannot fit.
-    WrongPictures(const Scene& scene, PictureSize size);
-    ~WrongPictures();
-
-    PictureSize size() const { return size_; }
-
-    // Whether the tracer's picture takes so long that it is not worth its time: where rays hit nearly all spheres.
-    bool takes_too_long(const WrongTracer& tracer) const;
-
-    // Forgets the numbers of tracers with several mistakes: another picture seldom needs them.
-    void forget_combinations();
-
-    // Row by row the number of the sphere that each pixel shows, or visible_background. Made at the first call and kept.
-    const std::vector<std::int32_t>& numbers(const WrongTracer& tracer);
-
-    // The numbers, perhaps visible_background among them, of what float arithmetic without care may show in a pixel instead of
-    // the right sphere. One number where it surely sees the right one.
-    std::vector<std::int32_t> numbers_in_float(Pixel pixel);
-
-private:
-    struct FloatView;
-
-    const Scene& scene_;
-    PictureSize size_;
-    std::map<WrongTracer, std::vector<std::int32_t>> numbers_;
-    std::unique_ptr<FloatView> float_view_;
-};
 
 }  // namespace sphereview

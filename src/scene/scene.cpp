@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <cstdio>
 #include <limits>
@@ -46,9 +45,7 @@ bool parse_background(std::string_view text, Background& background) {
     } else if (text.size() == 7 && text[0] == '#') {
         std::array<std::uint8_t, 3> channels{};
         for (std::size_t i = 0; i < 3; ++i) {
-            const char* first = text.data() + 1 + 2 * i;
-            const auto result = std::from_chars(first, first + 2, channels[i], 16);
-            if (result.ec != std::errc{} || result.ptr != first + 2) return false;
+            if (!parse_whole(text.substr(1 + 2 * i, 2), channels[i], 16)) return false;
         }
         background = {{channels[0], channels[1], channels[2]}, false};
     } else {
