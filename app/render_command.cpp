@@ -75,14 +75,6 @@ private:
     bool has_wrong_one_ = false;
 };
 
-// Leaves out what others render.
-void leave_out_other_parts(std::vector<RenderJob>& jobs, const RenderOptions& options) {
-    if (const auto& part = options.frames.part) {
-        std::size_t place = 0;
-        std::erase_if(jobs, [&](const RenderJob&) { return !part->has(place++); });
-    }
-}
-
 // Leaves out what is there. Of pictures whose manifest is wanted only those are there that it knows.
 void leave_out_existing(std::vector<RenderJob>& jobs, const RenderOptions& options, const Manifest* manifest) {
     if (!options.frames.skip_existing) return;
@@ -112,7 +104,6 @@ ExitCode run_render(const RenderOptions& asked_for) {
     Sequences sequences(options, progress);
     std::vector<RenderJob> jobs = plan_render(options, sequences.all());
     std::optional<Manifest> manifest;
-    leave_out_other_parts(jobs, options);
     // What is there is compared with what would be made.
     const bool prepares_first = options.frames.manifest && options.frames.skip_existing;
     if (prepares_first) sequences.prepare(jobs);

@@ -66,6 +66,9 @@ void name_files(RenderJob& job, std::int64_t number, const RenderOptions& option
 // Remembers what each file and standard stream is used for, and refuses a use that would destroy another.
 class FileUses {
 public:
+    // by_name: outputs that have the same name are one file, and others are not looked for: on a cluster's disk that takes long.
+    explicit FileUses(bool by_name = false) : by_name_(by_name) {}
+
     void read(const std::string& path, const std::string& as) {
         if (path == standard_stream) {
             if (!stdin_use_.empty()) throw InputError("sphereview: stdin cannot be both " + stdin_use_ + " and " + as);
@@ -83,13 +86,13 @@ public:
     // `path` is `pattern` with the job's name filled in; of all jobs: null.
     void write(const std::string& path, const std::string& as, const RenderJob* job, const std::string& pattern) {
         if (path == standard_stream) return write_stdout(as);
-        const std::string file = file_identity(path, FileUse::output);
+        const std::string file = by_name_ ? path : file_identity(path, FileUse::output);
         if (file.empty()) return;
         if (const auto input = inputs_.find(file); input != inputs_.end()) {
             throw InputError(path + ": cannot be both " + as + " and " + input->second);
         }
         const auto [other, added] = outputs_.emplace(file, Output{as, job});
-        if (!added)
+        if (!added && file_identity(path, FileUse::output) != "")
             throw InputError(path + ": cannot be both " + as + " and " + other->second.as +
                              advice(other->second.job, job, pattern));
     }
@@ -115,6 +118,7 @@ private:
                                                               : "; choose another pattern";
     }
 
+    bool by_name_;
     std::map<std::string, std::string> inputs_;
     std::map<std::string, Output> outputs_;
     std::string stdin_use_;
@@ -167,6 +171,8 @@ std::vector<RenderJob> plan_render(const RenderOptions& options, std::span<const
         require_placeholders(options.expect.value_or(""), "--expect");
         require_placeholders(diff.value_or(""), "--diff");
     }
+    FileUses uses;
+    if (options.fit.camera) uses.read(*options.fit.camera, "the scene of the camera");
     std::vector<RenderJob> jobs;
     for (std::size_t i = 0; i < options.scenes.size(); ++i) {
         const std::string& scene = options.scenes[i];
@@ -175,6 +181,7 @@ std::vector<RenderJob> plan_render(const RenderOptions& options, std::span<const
         job.label = scene == standard_stream ? "stdin" : scene;
         job.scene_label = job.label;
         job.name = name_in_patterns(scene);
+        uses.read(scene, "the scene " + job.label);
         if (sequences.empty()) {
             name_files(job, options.data.frame, options, output, diff);
             jobs.push_back(job);
@@ -189,20 +196,26 @@ std::vector<RenderJob> plan_render(const RenderOptions& options, std::span<const
         }
     }
 
-    FileUses uses;
-    if (options.fit.camera) uses.read(*options.fit.camera, "the scene of the camera");
+    const auto use_outputs = [&](FileUses& of) {
+        for (const RenderJob& job : jobs) {
+            if (job.output) of.write(*job.output, "the picture of " + job.label, &job, output);
+            if (job.diff) of.write(*job.diff, "the difference picture of " + job.label, &job, *diff);
+        }
+    };
+    if (const auto& part = options.frames.part) {
+        FileUses of_all_parts(true);
+        use_outputs(of_all_parts);
+        std::size_t place = 0;
+        std::erase_if(jobs, [&](const RenderJob&) { return !part->has(place++); });
+    }
     for (const RenderJob& job : jobs) {
-        if (job.shot == 0) uses.read(job.scene, "the scene " + job.scene_label);
         if (job.expect) uses.read(*job.expect, "the expected picture of " + job.label);
     }
     if (options.json) uses.write_stdout("the JSON report");
     if (options.streams_film()) uses.write_stdout("the film");
     if (options.film.movie) uses.write(*options.film.movie, "the film", nullptr, *options.film.movie);
     if (options.frames.manifest) uses.write(*options.frames.manifest, "the manifest", nullptr, *options.frames.manifest);
-    for (const RenderJob& job : jobs) {
-        if (job.output) uses.write(*job.output, "the picture of " + job.label, &job, output);
-        if (job.diff) uses.write(*job.diff, "the difference picture of " + job.label, &job, *diff);
-    }
+    use_outputs(uses);
     return jobs;
 }
 

@@ -51,7 +51,8 @@ MissingFolder missing_folder(const std::string& pattern);
 // What {name} stands for: the file's name without its folder, .gz and the ending before that; "stdin" for "-".
 std::string name_in_patterns(const std::string& path);
 
-// One job a scene, or one for each picture of the scene's sequence where there are sequences; with {name} and {frame} filled in.
+// One job a scene, or one for each picture of the scene's sequence where there are sequences; with {name} and {frame} filled in,
+// and without those of other parts.
 // Throws InputError when an output has an ending of something else than
 // a PNG, is also an input, a golden image or another
 // output, or a standard stream would be used twice.

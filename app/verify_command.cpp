@@ -34,8 +34,8 @@ auto all_of(const ManifestEntry& entry) {
 void leave_out_twins(std::vector<ManifestEntry>& entries) {
     using Entry = const ManifestEntry&;
     std::ranges::sort(entries, [](Entry one, Entry other) { return all_of(one) < all_of(other); });
-    const auto rest = std::ranges::unique(entries, [](Entry one, Entry other) { return all_of(one) == all_of(other); });
-    entries.erase(rest.begin(), rest.end());
+    const auto are_equal = [](Entry one, Entry other) { return all_of(one) == all_of(other); };
+    entries.erase(std::unique(entries.begin(), entries.end(), are_equal), entries.end());
 }
 
 // Spread evenly, from a random place on: who made the pictures cannot know which are looked at.

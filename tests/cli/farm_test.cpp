@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "cli/fails.hpp"
 #include "cli/farm.hpp"
 #include "support/text_match.hpp"
 
@@ -20,6 +21,10 @@ TEST_F(Farm, PartsAreTheWhole) {
     for (int i = 0; i < 6; ++i) EXPECT_EQ(folder_.read("out/" + std::to_string(i) + ".png").empty(), i % 4 != 1) << i;
     for (const char* part : {"1/4", "3/4", "4/4"}) expect_done({"--part", part});
     for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(folder_.read("out/" + std::to_string(i) + ".png"), whole[i]);
+    // Two parts may not write one file either.
+    EXPECT_TRUE(fails(render(folder_, {"a.xyz", "--frames", "all,0", "-o", "out/{frame}", "--part", "2/7"}), 2,
+                      "out/0.png: cannot be both the picture of a.xyz, 0 and the picture of a.xyz, 0; frame 0 is named twice"));
+    EXPECT_EQ(render(folder_, {"a.xyz", "--frames", "all", "-s", "9x9", "-o", "/dev/null", "--part", "1/2"}).status, 0);
     for (const char* wrong : {"0/4", "5/4", "1", "1/", "/4", "-1/4", "1/0"}) EXPECT_EQ(farm({"--part", wrong}).status, 2) << wrong;
 }
 
