@@ -30,10 +30,9 @@ ExitCode run_convert(const ConvertOptions& options) {
     say_warnings(loaded);
     if (options.verbose) {
         for (const std::string& note : loaded.notes) say(note);
-        const std::size_t count = loaded.scene.spheres.size();
         const std::string frame = "frame " + std::to_string(options.data.frame) + " of " + std::to_string(loaded.frames) + ", ";
-        say(loaded.name + ": " + std::string(loaded.format.name) + ", " + (loaded.frames > 1 ? frame : "") + in_groups(count) +
-            (count == 1 ? " sphere" : " spheres"));
+        say(loaded.name + ": " + std::string(loaded.format.name) + ", " + (loaded.frames > 1 ? frame : "") +
+            counted(loaded.scene.spheres.size(), "sphere"));
     }
     require_properties(loaded, options.data);
     // What was read only for colours and sizes is not kept.

@@ -62,9 +62,8 @@ FrameSequence::FrameSequence(const std::string& path, const RenderOptions& optio
     }();
     reader_->watch({});
     progress.clear();
-    if (!reader_->fault().empty()) {
-        early_end_ = sphereview::early_end(reader_->fault(), reader_->count());
-    }
+    is_damaged_ = reader_->is_damaged();  // up to the frames that are asked for
+    if (!reader_->fault().empty()) early_end_ = sphereview::early_end(reader_->fault(), reader_->count());
     shots_ = shots_of(frames, options.frames.turntable);
 }
 

@@ -40,8 +40,8 @@ public:
     void set_changes(FrameChanges changes) { changes_ = std::move(changes); }
     // Where the file is cut off or wrong behind a frame, what is passed over, in words; "" where nothing is.
     const std::string& early_end() const { return early_end_; }
-    // Whether it is wrong there, and not only cut off.
-    bool is_damaged() const { return reader_ && reader_->is_damaged(); }
+    // Whether it is wrong there, and not only cut off, or in a frame up to the last that is asked for, so that frames may be lost.
+    bool is_damaged() const { return is_damaged_; }
 
     const std::vector<Shot>& shots() const { return shots_; }
 
@@ -77,6 +77,7 @@ private:
     std::optional<FrameReader> reader_{};  // none: of the one frame that is there
     FrameChanges changes_{};
     std::string early_end_{};
+    bool is_damaged_ = false;
     std::vector<Shot> shots_{};
     LoadedScene present_{};  // the frame that was read last
     std::int64_t present_frame_ = -1;

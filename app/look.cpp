@@ -34,8 +34,6 @@ const Property& values_for(const Scene& scene, const std::string& asked, const s
     return *found;
 }
 
-std::string counted(std::size_t count) { return in_groups(count) + (count == 1 ? " sphere" : " spheres"); }
-
 }  // namespace
 
 Json to_json(const AppliedLook& look) {
@@ -105,15 +103,16 @@ AppliedLook apply_look(Scene& scene, const LookOptions& options, const std::stri
         applied.sizing = size_by(scene.spheres, *sizes, options.scale.value_or(usual_scale(scene, *sizes)));
         applied.sized_by = sizes->name;
         const Sizing& sizing = *applied.sizing;
-        applied.lines.push_back(begin + "radii by " + sizes->name + ": " + shortest(sizing.scale) + " times the value" +
-                                (sizing.small > 0 ? "; small: " + counted(sizing.small) + " without a value above 0" : ""));
+        applied.lines.push_back(
+            begin + "radii by " + sizes->name + ": " + shortest(sizing.scale) + " times the value" +
+            (sizing.small > 0 ? "; small: " + counted(sizing.small, "sphere") + " without a value above 0" : ""));
     }
     if (options.radii) {
         const Property* elements = find_elements(scene);
         if (elements == nullptr) throw InputError(begin + "found no elements, expected a file of atoms for --radii");
         const std::size_t kept = use_radii(scene.spheres, *elements, *options.radii);
         if (kept > 0) {
-            applied.lines.push_back(begin + counted(kept) + " without a known radius, " +
+            applied.lines.push_back(begin + counted(kept, "sphere") + " without a known radius, " +
                                     std::string(radii_names[static_cast<std::size_t>(*options.radii)]) + ": as before");
         }
     }

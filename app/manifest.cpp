@@ -136,11 +136,14 @@ Manifest::Manifest(const RenderOptions& options, std::span<const RenderJob> jobs
         if (scene == standard_stream)
             throw InputError("sphereview: --manifest: found stdin as a scene, expected a file: it has a sum");
         require_utf8(scene);
-        scene_states_.emplace(scene, file_states(scene));
-        scene_sums_.emplace(scene, sum_of_file(scene));
     }
     for (const std::string& word : options.words) require_utf8(word);
-    for (const RenderJob& job : jobs) require_utf8(job.output.value_or(""));
+    for (const RenderJob& job : jobs) {
+        require_utf8(job.output.value_or(""));
+        if (!job.fault.empty() || scene_sums_.contains(job.scene)) continue;
+        scene_states_.emplace(job.scene, file_states(job.scene));
+        scene_sums_.emplace(job.scene, sum_of_file(job.scene));
+    }
     if (options.fit.camera) camera_sum_ = sum_of_file(*options.fit.camera);
     std::string kept;
     if (options.frames.skip_existing && file_identity(path, FileUse::input) != "") {
@@ -171,7 +174,8 @@ std::string Manifest::kept_of(std::string_view lines, std::span<const RenderJob>
     for (const RenderJob& job : jobs) {
         if (job.output) wanted.emplace(*job.output, &job);
     }
-    std::string kept;
+    std::vector<std::string> kept;
+    std::map<std::string, std::size_t> kept_at;
     for (const ManifestEntry& entry : entries_of(lines, *options_.frames.manifest)) {
         std::string_view line = take_line(lines);
         while (trimmed(line).empty()) line = take_line(lines);
@@ -182,12 +186,24 @@ std::string Manifest::kept_of(std::string_view lines, std::span<const RenderJob>
                 outdated_.insert(picture);
                 continue;
             }
-            // What is damaged gets a new line.
-            if (!is_whole_png(picture, options_.size.width, options_.size.height) || !known_.insert(picture).second) continue;
+            // Of several lines the last one counts.
+            const auto [at, is_first] = kept_at.emplace(picture, kept.size());
+            if (!is_first) {
+                kept[at->second] = line;
+                continue;
+            }
         }
-        kept += std::string(line) + "\n";
+        kept.emplace_back(line);
     }
-    return kept;
+    for (const auto& [picture, at] : kept_at) {
+        if (is_whole_png(picture, options_.size.width, options_.size.height)) {
+            known_.insert(picture);
+        } else {
+            lines_of_lost_.insert(kept[at]);
+        }
+    }
+    kept.emplace_back();
+    return joined(kept, "\n");
 }
 
 void Manifest::add(const RenderJob& job, const PictureSums& sums) {
@@ -207,8 +223,9 @@ void Manifest::add(const RenderJob& job, const PictureSums& sums) {
                        {"pixels_sha256", sums.pixels},
                        {"file_sha256", sums.file},
                        {"version", std::string(version)}};
-    const std::string text = line.dump() + "\n";
-    if (!append(file_.get(), text, options_.durability))
+    const std::string text = line.dump();
+    if (lines_of_lost_.contains(text)) return;
+    if (!append(file_.get(), text + "\n", options_.durability))
         throw OutputError(*options_.frames.manifest, errno != 0 ? std::strerror(errno) : "a write error", errno);
 }
 

@@ -58,7 +58,7 @@ ManifestLines read_manifest(const std::string& path);
 class Manifest {
 public:
     // Begins the file named by the options anew, or with --skip-existing goes on behind the whole lines that are there, without
-    // those of jobs' pictures that were made of something else or are not there whole: then the jobs' sequences are to be prepared.
+    // those of jobs' pictures that were made of something else: then the jobs' sequences are to be prepared.
     // Throws OutputError, and InputError for scenes without a name, or names that JSON cannot hold.
     Manifest(const RenderOptions& options, std::span<const RenderJob> jobs);
 
@@ -67,8 +67,8 @@ public:
     // How many pictures of the jobs had been made of something else.
     std::size_t outdated() const { return outdated_.size(); }
 
-    // Appends the line of a job's picture, whole or not at all, as durable as the picture. Throws OutputError, and InputError where
-    // the scene is no longer the file whose sum the lines give.
+    // Appends the line of a job's picture, unless it is there, whole or not at all, as durable as the picture. Throws OutputError,
+    // and InputError where the scene is no longer the file whose sum the lines give.
     void add(const RenderJob& job, const PictureSums& sums);
     // Whether a scene was found changed: no further picture gets a line.
     bool has_lost_scene() const { return lost_scene_; }
@@ -86,6 +86,7 @@ private:
     bool lost_scene_ = false;
     std::optional<std::string> camera_sum_{};
     std::set<std::string> known_{};
+    std::set<std::string> lines_of_lost_{};  // of pictures that are gone or damaged
     std::set<std::string> outdated_{};
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
 };

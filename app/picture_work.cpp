@@ -62,13 +62,14 @@ void note_failure(PictureWork& work) {
 void PictureMaker::begin(const RenderJob& job, PictureWork& work) {
     work.report.job = job;
     attempt(work, [&] {
+        if (!job.fault.empty()) throw InputError(job.fault);
         if (job.output) check_output(*job.output, missing_folder(options_.output.value_or("")));
         if (job.diff) check_output(*job.diff, missing_folder(*options_.diff));
         if (job.expect) work.golden.emplace(open_png(*job.expect));
         try {
             work.loaded = read_scene(job, work.report);
         } catch (const ReadError&) {
-            work.lost_scene = true;
+            work.cannot_read_scene = true;
             throw;
         }
         spheres_of_last_ = work.report.spheres = work.loaded.scene.spheres.size();

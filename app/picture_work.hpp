@@ -25,9 +25,9 @@ struct PictureWork {
     RenderReport report{};
     std::optional<PngReader> golden{};
     LoadedScene loaded{};
-    bool failed = false;        // its report has the error; differing from a golden image is none
-    bool lacks_memory = false;  // that is the error
-    bool lost_scene = false;    // likewise: the scene's file cannot be read, whatever it holds
+    bool failed = false;             // its report has the error; differing from a golden image is none
+    bool lacks_memory = false;       // that is the error
+    bool cannot_read_scene = false;  // likewise: the file, whatever it holds
     Image picture{};
     Image difference{};
     std::string png{};  // where there is an output

@@ -24,56 +24,49 @@ namespace sphereview {
 
 namespace {
 
-// The scenes' sequences, where several pictures of each are asked for. What is wrong with one scene does not stop the others.
-class Sequences {
-public:
-    // Opens those of options.scenes, of which no others are left; `options` and `progress` must outlive this. Throws as
-    // FrameSequence, where there is but one.
-    Sequences(RenderOptions& options, Progress& progress) : progress_(progress), is_only_one_(options.scenes.size() == 1) {
-        if (!options.frames.several()) return;
-        std::erase_if(options.scenes, [&](const std::string& scene) {
-            return !succeeds([&] {
-                all_.push_back(std::make_shared<FrameSequence>(scene, options, progress_));
-                if (const std::string& end = all_.back()->early_end(); !end.empty()) say(end);
-            });
-        });
-    }
-
-    std::span<const std::shared_ptr<FrameSequence>> all() const { return all_; }
-    // Prepares them for the jobs, of which those of a wrong scene are left out.
-    void prepare(std::vector<RenderJob>& jobs) {
-        for (const auto& sequence : all_) {
-            if (succeeds([&] { sequence->prepare(progress_); })) continue;
-            std::erase_if(jobs, [&](const RenderJob& job) { return job.sequence == sequence; });
-        }
-    }
-    // Done where no frame was lost, and no scene.
-    ExitCode status() const {
-        // The pictures are those of the frames before, but more were to be had.
-        const bool is_damaged = std::ranges::any_of(all_, [](const auto& sequence) { return sequence->is_damaged(); });
-        return is_damaged || has_wrong_one_ ? ExitCode::bad_input : ExitCode::done;
-    }
-
-private:
-    template <typename Step>
-    bool succeeds(const Step& step) {
+// The scenes, where several pictures of each are asked for. What is wrong with one does not stop the others, unless a part of all
+// pictures is wanted: then it throws InputError.
+std::vector<OpenedScene> opened_scenes(const RenderOptions& options, Progress& progress) {
+    std::vector<OpenedScene> all;
+    if (!options.frames.several()) return all;
+    for (const std::string& scene : options.scenes) {
+        OpenedScene& opened = all.emplace_back();
         try {
-            step();
-            return true;
+            opened.sequence = std::make_shared<FrameSequence>(scene, options, progress);
+            if (const std::string& end = opened.sequence->early_end(); !end.empty()) say(end);
         } catch (const InputError& error) {
-            if (is_only_one_) throw;
-            progress_.clear();
-            say(error.what());
-            has_wrong_one_ = true;
-            return false;
+            progress.clear();
+            opened.fault = error.what();
+            // Whoever can open the scene counts its pictures, too: parts would not fit together.
+            const bool stops_others = options.scenes.size() > 1;
+            if (options.frames.part) throw InputError(opened.fault + (stops_others ? "; --part needs all scenes" : ""));
         }
     }
+    return all;
+}
 
-    Progress& progress_;
-    std::vector<std::shared_ptr<FrameSequence>> all_{};
-    bool is_only_one_;
-    bool has_wrong_one_ = false;
-};
+// Prepares the jobs' sequences. The jobs of a scene, which stand together, become one that says what is wrong with it.
+void prepare(std::vector<RenderJob>& jobs, Progress& progress) {
+    for (auto job = jobs.begin(); job != jobs.end();) {
+        const auto sequence = job->sequence;
+        auto end = std::find_if(job, jobs.end(), [&](const RenderJob& other) { return other.sequence != sequence; });
+        try {
+            if (sequence) sequence->prepare(progress);
+        } catch (const InputError& error) {
+            progress.clear();
+            *job = job_of_scene(job->scene, error.what());
+            end = jobs.erase(job + 1, end);
+        }
+        job = end;
+    }
+}
+
+// Where a file is damaged, pictures are those of the frames before, but more were to be had.
+ExitCode status_of(std::span<const OpenedScene> scenes) {
+    const bool is_damaged =
+        std::ranges::any_of(scenes, [](const OpenedScene& scene) { return scene.sequence && scene.sequence->is_damaged(); });
+    return is_damaged ? ExitCode::bad_input : ExitCode::done;
+}
 
 // Leaves out what is there. Of pictures whose manifest is wanted only those are there that it knows.
 void leave_out_existing(std::vector<RenderJob>& jobs, const RenderOptions& options, const Manifest* manifest) {
@@ -84,12 +77,12 @@ void leave_out_existing(std::vector<RenderJob>& jobs, const RenderOptions& optio
             (one ? " picture that was" : " pictures that were") + " made of another file or with other options " +
             (one ? "is" : "are") + " rendered anew");
     }
-    const std::size_t all = jobs.size();
+    const std::size_t all = count_pictures(jobs);
     std::erase_if(jobs, [&](const RenderJob& job) {
         return job.output && (manifest != nullptr ? manifest->has(*job.output)
                                                   : is_whole_png(*job.output, options.size.width, options.size.height));
     });
-    if (options.verbose) say(in_groups(all - jobs.size()) + " of " + in_groups(all) + " pictures are there already");
+    if (options.verbose) say(in_groups(all - count_pictures(jobs)) + " of " + in_groups(all) + " pictures are there already");
 }
 
 }  // namespace
@@ -101,27 +94,30 @@ ExitCode run_render(const RenderOptions& asked_for) {
     // Light needs megabytes of its own, when what was needed before it is given back.
     if (options.shading == Shading::studio) return_large_blocks();
     Progress progress;
-    Sequences sequences(options, progress);
-    std::vector<RenderJob> jobs = plan_render(options, sequences.all());
-    std::optional<Manifest> manifest;
+    const std::vector<OpenedScene> scenes = opened_scenes(options, progress);
+    std::vector<RenderJob> jobs = plan_render(options, scenes);
     // What is there is compared with what would be made.
     const bool prepares_first = options.frames.manifest && options.frames.skip_existing;
-    if (prepares_first) sequences.prepare(jobs);
+    if (prepares_first) prepare(jobs, progress);
+    // Where no scene is right, what there is of an earlier run stays.
+    if (!jobs.empty() && count_pictures(jobs) == 0) return run_jobs(options, jobs, {}, progress);
+    std::optional<Manifest> manifest;
     if (options.frames.manifest) manifest.emplace(options, jobs);
     leave_out_existing(jobs, options, manifest ? &*manifest : nullptr);
-    if (jobs.empty()) return sequences.status();
+    if (jobs.empty()) return status_of(scenes);
     std::optional<Film> film;
     if (options.film.movie || options.streams_film()) film.emplace(options.film, options.durability, jobs.size());
     std::optional<InterruptibleFilm> interruptible;
     if (options.film.movie) interruptible.emplace(*film);
-    if (!prepares_first) sequences.prepare(jobs);
+    if (!prepares_first) prepare(jobs, progress);
     const RenderSinks sinks{film ? &*film : nullptr, manifest ? &*manifest : nullptr};
     const ExitCode status = run_jobs(options, jobs, sinks, progress);
     if (film && status == ExitCode::done) film->finish();
-    for (const auto& sequence : sequences.all()) {
-        if (const std::string beyond = sequence->values_beyond_range(); !beyond.empty()) say(beyond);
+    for (const OpenedScene& scene : scenes) {
+        const std::string beyond = scene.sequence ? scene.sequence->values_beyond_range() : "";
+        if (!beyond.empty()) say(beyond);
     }
-    return std::max(status, sequences.status());
+    return std::max(status, status_of(scenes));
 }
 
 }  // namespace sphereview

@@ -44,6 +44,7 @@ public:
     Batch(const RenderOptions& options, std::span<const RenderJob> jobs, const RenderSinks& sinks, Progress& progress)
         : options_(options),
           jobs_(jobs),
+          pictures_(count_pictures(jobs)),
           sinks_(sinks),
           progress_(progress),
           maker_(options, {sinks.film != nullptr, sinks.manifest != nullptr}, progress) {}
@@ -52,15 +53,15 @@ public:
     ExitCode run() {
         std::optional<Interruptible> interruptible;
         const bool ends_whole = sinks_.film != nullptr && !sinks_.film->is_streamed();  // then the film has its own last words
-        if (jobs_.size() > 1 && jobs_.front().sequence && !ends_whole && has_terminal()) {
+        const bool are_frames = std::ranges::any_of(jobs_, [](const RenderJob& job) { return job.sequence != nullptr; });
+        if (jobs_.size() > 1 && are_frames && !ends_whole && has_terminal()) {
             interruptible.emplace([this] { return how_far(); });
         }
-        const bool are_frames = std::ranges::all_of(jobs_, [](const RenderJob& job) { return job.sequence != nullptr; });
         std::size_t next = are_frames && jobs_.size() > 1 && worker_count() > 1 ? run_several_at_once() : 0;
         while (next < jobs_.size() && run(next)) ++next;
-        if (jobs_.size() > 1 && !failed_.empty() && !has_ended_film() && has_terminal()) say_what_failed();
+        if (jobs_.size() > 1 && !has_ended_film() && has_terminal()) say_what_failed();
         if (are_frames && without_spheres_ > 1 && has_terminal()) {
-            say("sphereview: " + in_groups(without_spheres_) + " of " + in_groups(jobs_.size()) + " pictures show no sphere");
+            say("sphereview: " + in_groups(without_spheres_) + " of " + in_groups(pictures_) + " pictures show no sphere");
         }
         return report_failed_ ? std::max(worst_, ExitCode::no_output) : worst_;
     }
@@ -68,25 +69,34 @@ public:
 private:
     void say_what_failed() const {
         if (!ended_where_.empty()) {
-            say("sphereview: ended where " + ended_where_ + "; " + in_groups(done_) + " of " + in_groups(jobs_.size()) +
+            say("sphereview: ended where " + ended_where_ + "; " + in_groups(done_) + " of " + in_groups(pictures_) +
                 " pictures were done");
             return;
         }
-        const bool pictures = std::ranges::any_of(jobs_, [](const RenderJob& job) { return job.sequence || job.pixels_sum; });
-        std::vector<std::string> named(failed_.begin(), failed_.begin() + static_cast<std::ptrdiff_t>(named_count()));
-        if (named.size() < failed_.size()) named.push_back("and " + in_groups(failed_.size() - named.size()) + " more");
-        say("sphereview: " + std::to_string(failed_.size()) + " of " + std::to_string(jobs_.size()) +
-            (pictures ? " pictures failed: " : " scenes failed: ") + joined(named, pictures ? "; " : " "));
+        std::size_t scenes = 0;
+        const FrameSequence* last = nullptr;
+        for (const RenderJob& job : jobs_) {
+            if (!job.sequence || job.sequence.get() != last) ++scenes;
+            last = job.sequence.get();
+        }
+        say_which_failed(failed_pictures_, pictures_, " pictures failed: ", "; ");
+        say_which_failed(failed_scenes_, scenes, " scenes failed: ", " ");
     }
 
-    // Of those that failed, in a line that people read.
-    std::size_t named_count() const { return failed_.size() <= most_named + 1 ? failed_.size() : most_named; }
+    static void say_which_failed(const std::vector<std::string>& failed, std::size_t all, const std::string& what,
+                                 const std::string& between) {
+        if (failed.empty()) return;
+        const std::size_t count = failed.size() <= most_named + 1 ? failed.size() : most_named;
+        std::vector<std::string> named(failed.begin(), failed.begin() + static_cast<std::ptrdiff_t>(count));
+        if (named.size() < failed.size()) named.push_back("and " + in_groups(failed.size() - named.size()) + " more");
+        say("sphereview: " + std::to_string(failed.size()) + " of " + std::to_string(all) + what + joined(named, between));
+    }
 
     // For the end of the process. What is just written is waited for, unless it is a pipe that nobody reads.
     std::string how_far() {
         constexpr std::chrono::seconds patience{1};
         nothing_more_ = std::unique_lock(delivering_, patience);
-        return "sphereview: interrupted; " + in_groups(done_) + " of " + in_groups(jobs_.size()) + " pictures were done";
+        return "sphereview: interrupted; " + in_groups(done_) + " of " + in_groups(pictures_) + " pictures were done";
     }
 
     bool run(std::size_t place) {
@@ -186,12 +196,12 @@ private:
         if (report.status == ExitCode::done) {
             ++done_;
         } else {
-            failed_.push_back(job.label);
+            (job.sequence || job.pixels_sum ? failed_pictures_ : failed_scenes_).push_back(job.label);
         }
         worst_ = std::max(worst_, report.status);
         // What one picture of a sequence met, the next ones would meet as well.
         if (job.sequence && report.status == ExitCode::no_output) ended_where_ = "a picture could not be written";
-        if (job.sequence && work.lost_scene) ended_where_ = "a scene could not be read";
+        if (job.sequence && work.cannot_read_scene) ended_where_ = "a scene could not be read";
         if (sinks_.manifest != nullptr && sinks_.manifest->has_lost_scene()) ended_where_ = "a scene had changed";
         return !has_ended_film() && ended_where_.empty();
     }
@@ -231,6 +241,7 @@ private:
 
     const RenderOptions& options_;
     std::span<const RenderJob> jobs_;
+    std::size_t pictures_;
     RenderSinks sinks_;
     Progress& progress_;
     PictureMaker maker_;
@@ -238,7 +249,8 @@ private:
     std::atomic<std::size_t> done_ = 0;
     std::timed_mutex delivering_{};
     std::unique_lock<std::timed_mutex> nothing_more_{};  // is delivered
-    std::vector<std::string> failed_{};
+    std::vector<std::string> failed_pictures_{};         // of several of a scene
+    std::vector<std::string> failed_scenes_{};
     std::size_t without_spheres_ = 0;  // pictures that show none
     std::string ended_where_{};        // "" while all goes on
     bool report_failed_ = false;

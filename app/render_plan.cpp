@@ -162,7 +162,20 @@ std::string name_in_patterns(const std::string& path) {
     return text_from(path_from(without_gzip_ending(path)).stem());
 }
 
-std::vector<RenderJob> plan_render(const RenderOptions& options, std::span<const std::shared_ptr<FrameSequence>> sequences) {
+RenderJob job_of_scene(const std::string& scene, const std::string& fault) {
+    RenderJob job;
+    job.scene = scene;
+    job.label = job.scene_label = scene == standard_stream ? "stdin" : scene;
+    job.name = name_in_patterns(scene);
+    job.fault = fault;
+    return job;
+}
+
+std::size_t count_pictures(std::span<const RenderJob> jobs) {
+    return static_cast<std::size_t>(std::ranges::count_if(jobs, [](const RenderJob& job) { return job.fault.empty(); }));
+}
+
+std::vector<RenderJob> plan_render(const RenderOptions& options, std::span<const OpenedScene> opened) {
     // Of the patterns, since a scene's own name may hold dots.
     const std::string output = png_name(options.output.value_or(usual_output(options)));
     const std::optional<std::string> diff = options.diff ? std::optional(png_name(*options.diff)) : std::nullopt;
@@ -175,19 +188,14 @@ std::vector<RenderJob> plan_render(const RenderOptions& options, std::span<const
     if (options.fit.camera) uses.read(*options.fit.camera, "the scene of the camera");
     std::vector<RenderJob> jobs;
     for (std::size_t i = 0; i < options.scenes.size(); ++i) {
-        const std::string& scene = options.scenes[i];
-        RenderJob job;
-        job.scene = scene;
-        job.label = scene == standard_stream ? "stdin" : scene;
-        job.scene_label = job.label;
-        job.name = name_in_patterns(scene);
-        uses.read(scene, "the scene " + job.label);
-        if (sequences.empty()) {
-            name_files(job, options.data.frame, options, output, diff);
+        RenderJob job = job_of_scene(options.scenes[i], opened.empty() ? "" : opened[i].fault);
+        uses.read(job.scene, "the scene " + job.label);
+        if (opened.empty() || !opened[i].sequence) {
+            if (job.fault.empty()) name_files(job, options.data.frame, options, output, diff);
             jobs.push_back(job);
             continue;
         }
-        job.sequence = sequences[i];
+        job.sequence = opened[i].sequence;
         for (job.shot = 0; job.shot < job.sequence->shots().size(); ++job.shot) {
             const std::int64_t number = job.sequence->shots()[job.shot].number;
             job.label = job.scene_label + ", " + std::to_string(number);

@@ -29,6 +29,19 @@ struct RenderJob {
     std::shared_ptr<FrameSequence> sequence{};  // of which this is a picture; null: the scene is read by itself
     std::size_t shot = 0;                       // its place there
     std::optional<std::string> pixels_sum{};    // the SHA-256 that its pixels must have
+    std::string fault{};                        // why there can be no picture of the scene: the job only says so; else ""
+};
+
+// Without files and a sequence. `fault`: RenderJob::fault.
+RenderJob job_of_scene(const std::string& scene, const std::string& fault = "");
+
+// How many jobs are to make a picture.
+std::size_t count_pictures(std::span<const RenderJob> jobs);
+
+// A scene of which several pictures are asked for.
+struct OpenedScene {
+    std::shared_ptr<FrameSequence> sequence{};  // null: it could not be opened
+    std::string fault{};                        // why
 };
 
 // What the placeholders of a pattern stand for. Those without a value stay as they are.
@@ -51,11 +64,10 @@ MissingFolder missing_folder(const std::string& pattern);
 // What {name} stands for: the file's name without its folder, .gz and the ending before that; "stdin" for "-".
 std::string name_in_patterns(const std::string& path);
 
-// One job a scene, or one for each picture of the scene's sequence where there are sequences; with {name} and {frame} filled in,
-// and without those of other parts.
-// Throws InputError when an output has an ending of something else than
-// a PNG, is also an input, a golden image or another
-// output, or a standard stream would be used twice.
-std::vector<RenderJob> plan_render(const RenderOptions& options, std::span<const std::shared_ptr<FrameSequence>> sequences = {});
+// One job a scene, or, where the scenes of the options were opened, one for each picture of a scene's sequence, and one that says
+// what is wrong with a scene without a sequence; with {name} and {frame} filled in, and without those of other parts. Throws
+// InputError when an output has an ending of something else than a PNG, is also an input, a golden image or another output, or a
+// standard stream would be used twice.
+std::vector<RenderJob> plan_render(const RenderOptions& options, std::span<const OpenedScene> opened = {});
 
 }  // namespace sphereview

@@ -26,8 +26,8 @@ namespace sphereview {
 namespace {
 
 auto all_of(const ManifestEntry& entry) {
-    return std::tie(entry.scene, entry.place, entry.picture, entry.scene_sum, entry.camera_sum, entry.sequence_sum, entry.options,
-                    entry.pixels_sum, entry.file_sum);
+    return std::tie(entry.scene, entry.place, entry.frame, entry.picture, entry.scene_sum, entry.camera_sum, entry.sequence_sum,
+                    entry.options, entry.pixels_sum, entry.file_sum);
 }
 
 // A picture that has several lines, in one manifest or in several, counts once.

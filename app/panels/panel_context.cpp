@@ -29,10 +29,8 @@ std::string title_of(const Scene& scene, std::int64_t number) {
     return "sphere " + std::to_string(number) + (name.empty() ? "" : " '" + shown_text(name) + "'");
 }
 
-std::string spheres_in_words(std::size_t count) { return in_groups(count) + (count == 1 ? " sphere" : " spheres"); }
-
 std::string title_of(const Scene& scene, const std::vector<std::uint32_t>& numbers) {
-    return numbers.size() == 1 ? title_of(scene, numbers.front()) : spheres_in_words(numbers.size());
+    return numbers.size() == 1 ? title_of(scene, numbers.front()) : counted(numbers.size(), "sphere");
 }
 
 EditScene hide_or_show(const Scene& scene, const std::vector<std::uint32_t>& numbers) {

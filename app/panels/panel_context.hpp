@@ -106,9 +106,8 @@ void note_window(const PanelContext& context, const std::string& name);
 inline bool has_sphere(const Scene& scene, std::int64_t number) { return number >= 0 && number < std::ssize(scene.spheres); }
 // A sphere's name; "" where it has none.
 std::string name_of(const Scene& scene, std::uint32_t number);
-// A sphere in words: "sphere 3", or "sphere 3 'sun'" of one with a name; so many: "1,234 spheres"; and these, as fits.
+// A sphere in words: "sphere 3", or "sphere 3 'sun'" of one with a name; and these, as fits: "1,234 spheres".
 std::string title_of(const Scene& scene, std::int64_t number);
-std::string spheres_in_words(std::size_t count);
 std::string title_of(const Scene& scene, const std::vector<std::uint32_t>& numbers);
 
 // Hides the spheres if any of them is shown, else shows them.

@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/number.hpp"
+#include "base/text.hpp"
 #include "panels/drawing_canvas.hpp"
 #include "panels/math_text.hpp"
 #include "panels/ray_drawings.hpp"
@@ -240,7 +241,7 @@ private:
         }
         if (section_.outside.empty()) return;
         const std::string words =
-            section_.outside.size() == 1 ? title_of(of_.scene, section_.outside[0]) : spheres_in_words(section_.outside.size());
+            section_.outside.size() == 1 ? title_of(of_.scene, section_.outside[0]) : counted(section_.outside.size(), "sphere");
         canvas_.text({canvas_.low().x + 4.0F * s, canvas_.high().y - 4.0F * s}, 0.0F, 1.0F, "outside: " + words, text_color(0.6F),
                      Importance::least);
     }

@@ -152,7 +152,7 @@ void draw_filter(const PanelContext& context, SidePanelState& state) {
 
 std::string count_in_words(const PanelContext& context, const SidePanelState& state) {
     const std::size_t count = context.document.scene().spheres.size();
-    const std::string all = spheres_in_words(count);
+    const std::string all = counted(count, "sphere");
     const std::size_t selected = context.selection.size();
     const std::string and_selected = selected > 0 ? ", " + in_groups(selected) + " selected" : "";
     if (!state.filter.empty()) {

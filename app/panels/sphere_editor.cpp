@@ -165,7 +165,7 @@ private:
 };
 
 std::string in_words(const SharedValues& shared) {
-    std::string text = spheres_in_words(shared.count);
+    std::string text = counted(shared.count, "sphere");
     if (!shared.color) text += ", of several colours";
     if (shared.hidden > 0) text += ", " + (shared.hidden == shared.count ? "all" : in_groups(shared.hidden)) + " hidden";
     return text + ". A drag moves all by as much, or scales all alike; a number that is typed is set for all.";

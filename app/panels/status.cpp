@@ -142,7 +142,7 @@ private:
 };
 
 std::string spheres_text(std::size_t spheres, std::size_t hidden, std::size_t selected) {
-    std::string text = spheres_in_words(spheres);
+    std::string text = counted(spheres, "sphere");
     if (hidden > 0) text += ", " + in_groups(hidden) + " hidden";
     if (selected > 0) text += ", " + in_groups(selected) + " selected";
     return text;

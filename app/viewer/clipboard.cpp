@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "formats/scene_format.hpp"
 #include "panels/math_text.hpp"
 #include "viewer/command_table.hpp"
@@ -65,7 +66,7 @@ bool copy_selected(ViewerState& state) {
     const SceneFormat& format = lost_in(copied, SceneFormat::text).empty() ? SceneFormat::text : SceneFormat::toml;
     const std::string text = write_scene(copied, format);
     if (text.size() > most_copied) {
-        announce(state, "Not copied: " + spheres_in_words(copied.spheres.size()) + " are too many for the clipboard.");
+        announce(state, "Not copied: " + counted(copied.spheres.size(), "sphere") + " are too many for the clipboard.");
         return false;
     }
     state.clipboard.set_text(text);
@@ -103,7 +104,7 @@ void paste(ViewerState& state) {
         insert.spheres.push_back(std::move(added));
     }
     insert.properties = std::move(pasted.properties);
-    const std::string what = "Paste " + spheres_in_words(pasted.spheres.size());
+    const std::string what = "Paste " + counted(pasted.spheres.size(), "sphere");
     perform(state, {EditScene{std::move(insert), what, 0}});
     if (by == glm::dvec3(0.0)) return;
     announce(state, "Pasted beside where they were, by " + vector_text(by, 4) + ": the same spheres stand there already.");

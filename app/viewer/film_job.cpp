@@ -91,7 +91,7 @@ void make_film(const FilmRequest& request, WorkControl& control, FilmStatus& sta
     };
     Progress progress(follow);
     const auto sequence = open_sequence(request, status, progress);
-    const std::vector<RenderJob> jobs = plan_render(options, std::vector{sequence});
+    const std::vector<RenderJob> jobs = plan_render(options, std::vector{OpenedScene{sequence}});
     const std::unique_ptr<Film> film =
         options.film.movie ? std::make_unique<Film>(options.film, options.durability, jobs.size()) : nullptr;
     const FilmInStatus known(status, film.get());

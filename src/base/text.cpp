@@ -331,4 +331,8 @@ std::string in_groups(std::uint64_t value) {
     return text;
 }
 
+std::string counted(std::uint64_t count, std::string_view what) {
+    return in_groups(count) + " " + std::string(what) + (count == 1 ? "" : "s");
+}
+
 }  // namespace sphereview

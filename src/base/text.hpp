@@ -63,6 +63,9 @@ std::vector<std::string> words_listed(std::string_view list);
 // 1234567 as "1,234,567".
 std::string in_groups(std::uint64_t value);
 
+// "1 sphere", "1,234 spheres", when `what` is "sphere".
+std::string counted(std::uint64_t count, std::string_view what);
+
 // The first line of `text`, which loses that line and its end (LF, CR or CR LF).
 std::string_view take_line(std::string_view& text);
 

@@ -18,9 +18,6 @@ namespace sphereview {
 
 inline bool is_pdb_atom(std::string_view line) { return line.starts_with("ATOM") || line.starts_with("HETATM"); }
 
-// Whether a line of an atom may be PQR's, with blanks between its fields.
-bool may_be_pqr_atom(std::string_view line);
-
 // A model that no ENDMDL ends before the next one begins, as where a run was appended to what an ended program had left.
 struct InterruptedModel {
     std::int64_t frame = 0;

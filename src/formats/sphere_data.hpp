@@ -60,7 +60,7 @@ struct SphereData {
     Scene scene{};                             // of data: spheres and names, with the default camera and background
     std::int64_t frames = 1;                   // in the file
     std::string fault{};                       // that ends them before the text does; among the warnings, too
-    std::optional<std::int64_t> cut_frame{};   // within which, or behind which, others may be lost, though more follow
+    std::optional<std::int64_t> cut_frame{};   // others may be lost in or behind this one, though more follow
     std::optional<FrameTime> time{};           // of the frame, where the file says it
     std::size_t next_frame = 0;                // where PartOfFile::begin may be for the one behind it; 0: that is not known
     std::optional<double> radius_of_points{};  // that all got, because the file says none (point_radius.hpp)
@@ -157,6 +157,8 @@ std::optional<std::size_t> step_over_sdf(std::string_view text, bool ended, cons
 
 // PQR: atoms of PDB with charges and radii; models are frames.
 bool shows_pqr(std::string_view head);
+// Whether one line of an atom may be PQR's, with blanks between its fields.
+bool may_be_pqr_atom(std::string_view line);
 SphereData read_pqr(std::string_view content, const std::string& name, const DataOptions& options);
 
 // PLY: the points of the element `vertex`, in text or in bytes of either order; faces are passed over.

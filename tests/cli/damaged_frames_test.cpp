@@ -9,6 +9,7 @@
 #include "cli/frames.hpp"
 #include "support/eventually.hpp"
 #include "support/gzip.hpp"
+#include "support/json.hpp"
 #include "support/text_match.hpp"
 
 namespace sphereview::test {
@@ -88,14 +89,50 @@ TEST_F(DamagedFrames, OfOneSceneStopNoOtherScene) {
     folder_.write("a.xyz", moving_atom(2));
     folder_.write("b.xyz", "1\n\nO x 0 0\n" + moving_atom(2));
     folder_.write("c.xyz", moving_atom(1));
-    const std::string lacks = "c.xyz: found 1 frame, number 0, expected frame 1\n";
+    const std::string said =
+        "c.xyz: found 1 frame, number 0, expected frame 1\n"
+        "b.xyz:3:3: found 'x', expected the x of atom 1 of 1, a number\n";
     for (const char* skip : {"--no-sync", "--skip-existing"}) {
         const Outcome outcome = render({"c.xyz", "b.xyz", "a.xyz", "--frames", "0,1", "-s", "9x9", "--manifest", "made.jsonl", "-o",
                                         "out/{name}{frame}", skip});
         EXPECT_EQ(outcome.status, 2) << outcome;
-        EXPECT_EQ(outcome.errors, lacks + "b.xyz:3:3: found 'x', expected the x of atom 1 of 1, a number\n");
+        const bool is_first = std::string(skip) == "--no-sync";
+        EXPECT_EQ(outcome.errors, said + "sphereview: 2 of " + (is_first ? "3" : "2") + " scenes failed: c.xyz b.xyz\n");
     }
     EXPECT_TRUE(folder_.has("out/a0.png") && folder_.has("out/a1.png") && !folder_.has("out/b1.png"));
+}
+
+// It is reported in its turn, and nothing is written over what it is read from.
+TEST_F(DamagedFrames, OfASceneThatCannotBeOpenedAreReported) {
+    folder_.write("a.xyz", moving_atom(2));
+    folder_.write("bad.xyz", "x\n");
+    const std::vector<std::string> arguments = {"a.xyz", "bad.xyz", "--frames", "all", "-s", "9x9", "-o", "out/{name}{frame}"};
+    const Outcome outcome = render(all_words(arguments, {"--json"}));
+    EXPECT_EQ(outcome.status, 2) << outcome;
+    EXPECT_TRUE(outcome.errors.ends_with("\nsphereview: 1 of 2 scenes failed: bad.xyz\n")) << outcome;
+    const std::vector<std::string> reports = lines(outcome.output);
+    ASSERT_EQ(reports.size(), 3U) << outcome;
+    const Json last = Json::parse(reports[2]);
+    EXPECT_EQ(last["scene"], "bad.xyz");
+    EXPECT_EQ(last["status"], 2);
+    EXPECT_TRUE(outcome.errors.starts_with(std::string(last["error"]) + "\n")) << outcome;
+    const Outcome alone = render({"bad.xyz", "--frames", "all", "--json"});
+    EXPECT_EQ(lines(alone.output).size(), 1U) << alone;
+    EXPECT_TRUE(fails(alone, 2, "bad.xyz"));
+
+    EXPECT_TRUE(fails(render(all_words(arguments, {"--manifest", "bad.xyz"})), 2,
+                      "bad.xyz: cannot be both the manifest and the scene bad.xyz"));
+    EXPECT_EQ(folder_.read("bad.xyz"), "x\n");
+    // Where there is no scene at all, an earlier manifest stays.
+    folder_.write("made.jsonl", "earlier\n");
+    const Outcome none = render({"bad.xyz", "missing.xyz", "--frames", "all", "--manifest", "made.jsonl"});
+    EXPECT_EQ(none.status, 2) << none;
+    EXPECT_TRUE(none.errors.ends_with("\nsphereview: 2 of 2 scenes failed: bad.xyz missing.xyz\n")) << none;
+    EXPECT_EQ(folder_.read("made.jsonl"), "earlier\n");
+    // Parts count its pictures, too: with other places than elsewhere some would be made twice, and some never.
+    EXPECT_TRUE(
+        fails(render({"missing.xyz", "a.xyz", "--frames", "all", "--part", "2/2", "-o", "parts/{frame}"}), 2, "missing.xyz: "));
+    EXPECT_FALSE(folder_.has("parts"));
 }
 
 #ifdef __linux__
@@ -164,6 +201,10 @@ TEST_F(DamagedFrames, OfAPdbFileFollowOneThatIsCutOff) {
     EXPECT_EQ(made("a.pdb", "-1,0"), "2; 0 2; " + cut);
     EXPECT_EQ(made("a.pdb", "1"), "2; 1; " + cut);
     EXPECT_EQ(made("a.pdb", "0"), "0; 0; ");
+    // Nor with a cut off end behind them.
+    folder_.write("b.pdb", folder_.read("a.pdb") + pdb_model.substr(0, 50));
+    EXPECT_TRUE(made("b.pdb", "0").starts_with("0; 0; b.pdb:12:45: the line ends, "));
+    EXPECT_TRUE(made("b.pdb", "1").starts_with("2; 1; "));
     const Outcome one = render({"a.pdb", "--frame", "1", "-s", "9x9"});
     EXPECT_EQ(one.status, 0) << one;
     EXPECT_EQ(one.errors, cut);

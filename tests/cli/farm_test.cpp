@@ -85,6 +85,22 @@ TEST_F(Farm, AManifestHasOneLineForAPictureThatIsMadeAgain) {
     EXPECT_EQ(verify({"made.jsonl"}).output, "6 of 6 pictures rendered again: all are equal\n");
     expect_done({"--manifest", "made.jsonl", "--skip-existing"});
     EXPECT_EQ(folder_.read("made.jsonl"), text);
+    // The last one, as of a file that another release has packed.
+    std::string packed_anew = test::lines(text).front();
+    const std::string by = "\"version\":\"";
+    packed_anew.replace(packed_anew.find(by), by.size(), by + "9");
+    folder_.write("made.jsonl", text + packed_anew + "\n");
+    expect_done({"--manifest", "made.jsonl", "--skip-existing"});
+    EXPECT_EQ(folder_.read("made.jsonl"), packed_anew + text.substr(text.find('\n')));
+}
+
+TEST_F(Farm, AManifestKeepsTheLineOfAPictureThatCannotBeMadeAgain) {
+    expect_done({"--manifest", "made.jsonl"});
+    const std::string text = folder_.read("made.jsonl");
+    std::filesystem::remove(folder_.path("out/1.png"));
+    folder_.write("out/1.png/file", "");
+    EXPECT_EQ(farm({"--manifest", "made.jsonl", "--skip-existing"}).status, 4);
+    EXPECT_EQ(folder_.read("made.jsonl"), text);
 }
 
 // As make does: what was made of something else is made anew, and the rest stays.

@@ -55,7 +55,13 @@ TEST_F(Farm, AManifestSaysWhatPicturesAreMadeOf) {
     folder_.write("made.jsonl", moved.replace(moved.find(place), place.size(), "\"frame\":5"));
     const Outcome other = verify();
     EXPECT_EQ(other.status, 2) << other;
-    EXPECT_TRUE(contains(other.errors, "a.xyz: found picture 4 with the number 5 in a manifest, expected 4")) << other;
+    const std::string said = "a.xyz: found picture 4 with the number 5 in a manifest, expected 4";
+    EXPECT_TRUE(contains(other.errors, said)) << other;
+    // Nor does a true line hide it, wherever it stands.
+    for (const std::string& both : {moved + text, text + moved}) {
+        folder_.write("made.jsonl", both);
+        EXPECT_TRUE(contains(verify().errors, said)) << both;
+    }
     // Another scene.
     folder_.write("made.jsonl", text);
     folder_.write("a.xyz", folder_.read("a.xyz") + "\n");
