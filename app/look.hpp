@@ -34,9 +34,11 @@ DataOptions with_properties(DataOptions data, const LookOptions& look);
 struct AppliedLook {
     std::optional<Coloring> coloring{};
     ColorBy colored_by{};
-    bool has_values_beyond = false;  // the range that was asked for
+    bool has_values_beyond = false;           // the range that was asked for
+    std::optional<ValueRange> found_range{};  // of the numbers, where none was asked for and they have one
     std::optional<Sizing> sizing{};
-    std::string sized_by{};  // the property
+    std::optional<double> found_scale{};  // likewise
+    std::string sized_by{};               // the property
     // What the spheres had before, where they have got others.
     std::vector<Color> own_colors{};
     std::vector<double> own_radii{};

@@ -221,7 +221,7 @@ private:
         const Property* values = chosen(state_.size_by, own, state_.resizes);
         if (values == nullptr || is_category(*values)) return;
         if (std::exchange(state_.resizes, false)) {
-            state_.scale = usual_scale(scene_, *values);
+            state_.scale = usual_scale(scene_, *values).value_or(1.0);
             resize(*values, 0);
         }
         const NumberRule rule{.above_zero = true, .help = "The radius of a value of 1"};
