@@ -1,5 +1,6 @@
 // sphereview render: which pictures, and where they go.
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -33,6 +34,7 @@ public:
         if (!options.frames.several()) return;
         std::erase_if(options.scenes, [&](const std::string& scene) {
             return !succeeds([&] {
+                if (options.frames.manifest) require_regular_file(scene);
                 all_.push_back(std::make_shared<FrameSequence>(scene, options, progress_));
                 if (const std::string& end = all_.back()->early_end(); !end.empty()) say(end);
             });
@@ -101,13 +103,14 @@ ExitCode run_render(const RenderOptions& asked_for) {
     // Light needs megabytes of its own, when what was needed before it is given back.
     if (options.shading == Shading::studio) return_large_blocks();
     Progress progress;
+    const auto states = options.frames.manifest ? states_of_inputs(options) : std::map<std::string, FileStates>();
     Sequences sequences(options, progress);
     std::vector<RenderJob> jobs = plan_render(options, sequences.all());
     std::optional<Manifest> manifest;
     // What is there is compared with what would be made.
     const bool prepares_first = options.frames.manifest && options.frames.skip_existing;
     if (prepares_first) sequences.prepare(jobs);
-    if (options.frames.manifest) manifest.emplace(options, jobs);
+    if (options.frames.manifest) manifest.emplace(options, jobs, states);
     leave_out_existing(jobs, options, manifest ? &*manifest : nullptr);
     if (jobs.empty()) return sequences.status();
     std::optional<Film> film;
