@@ -135,6 +135,9 @@ TEST_F(Farm, AManifestLeavesOutAWrongScene) {
         }
         EXPECT_EQ(verify().status, 0);
     }
+    // A file without a byte is one all the same.
+    folder_.write("one/b-0.png", "");
+    EXPECT_TRUE(fails(verify(), 1, "one/b-0.png: the file differs from the one that was written"));
 }
 
 // JSON holds no other names.
