@@ -49,7 +49,8 @@ FrameSequence::FrameSequence(const std::string& path, const RenderOptions& optio
     : options_(options),
       look_(options.look),
       knows_range_(options.look.range.has_value()),
-      knows_scale_(options.look.scale.has_value()) {
+      knows_scale_(options.look.scale.has_value()),
+      knows_order_(options.look.order.has_value()) {
     reader_.emplace(path, with_properties(options.data, options.look));
     progress.start(reader_->name() + ": looking for frames");
     reader_->watch([&progress](double done) { progress.update(done); });
@@ -112,7 +113,8 @@ SphereData FrameSequence::read_data(std::int64_t frame) {
 
 const LoadedScene& FrameSequence::read(std::int64_t frame) {
     read_alone(frame);
-    // One range and one scale for all: made of each frame's own values, colours and sizes would come and go.
+    // One range, one scale and one order of categories for all: made of each frame's own values, colours and sizes would come and
+    // go.
     const auto settle = [&](bool asks, bool& knows, const auto& take) {
         if (!asks || std::exchange(knows, true)) return;
         look_through([&](std::int64_t other) {
@@ -125,6 +127,10 @@ const LoadedScene& FrameSequence::read(std::int64_t frame) {
     settle(look.coloring && !look.coloring->is_category(), knows_range_, [&] {
         look_.range = look.found_range;
         return look_.range.has_value();
+    });
+    settle(look.coloring && look.coloring->is_category(), knows_order_, [&] {
+        if (look.coloring && look.coloring->is_category()) look_.order = look.coloring->order;
+        return look_.order.has_value();
     });
     settle(look.sizing.has_value(), knows_scale_, [&] {
         look_.scale = look.found_scale;
@@ -164,6 +170,8 @@ void FrameSequence::prepare(Progress& progress) {
         append(shared_, look_.range->low);
         append(shared_, look_.range->high);
     }
+    for (const std::string& name : look_.order ? look_.order->names : std::vector<std::string>())
+        shared_ += name + std::string(1, '\0');
     for (const std::optional<double>& number : {look_.scale, radius_}) shared_ += number ? shortest(*number) + " " : "- ";
 }
 

@@ -65,7 +65,8 @@ public:
     std::vector<std::string> not_said(const std::vector<std::string>& lines);
 
 private:
-    // A frame as the file has it, with what all share: the radius of points, and the range and the scale that values give, each that of the first frame in the list that has one, whichever is read first. So all parts of the list
+    // A frame as the file has it, with what all share: the radius of points, and the range, the scale and the order of categories
+    // that values give, each that of the first frame in the list that has one, whichever is read first. So all parts of the list
     // have the same.
     const LoadedScene& read(std::int64_t frame);
     SphereData read_data(std::int64_t frame);
@@ -84,6 +85,7 @@ private:
     bool knows_radius_ = false;
     bool knows_range_ = false;
     bool knows_scale_ = false;
+    bool knows_order_ = false;
     std::optional<FrameReader> reader_{};  // none: of the one frame that is there
     FrameChanges changes_{};
     std::string early_end_{};

@@ -79,7 +79,7 @@ AppliedLook apply_look(Scene& scene, const LookOptions& options, const std::stri
     const Property* colors = options.color_by ? &values_for(scene, *options.color_by, name, has, own_colors) : nullptr;
     const Property* sizes = options.size_by ? &values_for(scene, *options.size_by, name, has, own_sizes) : nullptr;
     if (colors != nullptr) {
-        applied.colored_by = {colors->name, options.map, options.range, options.log};
+        applied.colored_by = {colors->name, options.map, options.range, options.log, options.order};
         try {
             applied.coloring = coloring_of(scene, *colors, applied.colored_by);
         } catch (const InputError& error) {

@@ -18,6 +18,7 @@ struct LookOptions {
     std::optional<ColorMap> map;          // these three with color_by
     std::optional<ValueRange> range;
     bool log = false;
+    std::optional<CategoryOrder> order;  // that another frame has given
     std::optional<std::string> size_by;  // a property
     std::optional<double> scale;         // with size_by; > 0
     std::optional<RadiiKind> radii;      // not with size_by

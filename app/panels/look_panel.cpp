@@ -290,7 +290,10 @@ const Coloring* shown_coloring(const Document& document, LookPanelState& state) 
             by = &used.by;
             state.shown = used.coloring;
             // Spheres may have been hidden or removed.
-            if (used.coloring.is_category()) state.shown = coloring_of(document.scene(), *values, used.by);
+            if (!used.coloring.is_category()) continue;
+            ColorBy same = used.by;
+            same.order = used.coloring.order;
+            state.shown = coloring_of(document.scene(), *values, same);
         }
         // What an undo has brought back is what the panel shows.
         if (by != nullptr && others_changed_it && !state.handle && !state.recolors) state.colors = *by;
