@@ -46,7 +46,11 @@ std::vector<Shot> shots_of(const std::vector<std::int64_t>& frames, std::int64_t
 }
 
 FrameSequence::FrameSequence(const std::string& path, const RenderOptions& options, Progress& progress)
-    : options_(options), look_(options.look) {
+    : options_(options),
+      look_(options.look),
+      knows_range_(options.look.range.has_value()),
+      knows_scale_(options.look.scale.has_value()),
+      knows_order_(options.look.order.has_value()) {
     reader_.emplace(path, with_properties(options.data, options.look));
     progress.start(reader_->name() + ": looking for frames");
     reader_->watch([&progress](double done) { progress.update(done); });
@@ -74,30 +78,86 @@ FrameSequence::FrameSequence(LoadedScene scene, const RenderOptions& options)
       present_(std::move(scene)),
       present_frame_(0) {}
 
-const LoadedScene& FrameSequence::read(std::int64_t frame) {
-    if (frame == present_frame_) return present_;
-    present_frame_ = -1;
-    present_ = {};
+// Up to the first of the list of which `is_it` is true. What is wrong with a frame on the way, its own picture says.
+template <typename IsIt>
+void FrameSequence::look_through(const IsIt& is_it) {
+    std::int64_t before = -1;  // around one frame go many shots
+    for (const Shot& shot : shots_) {
+        if (shot.frame == std::exchange(before, shot.frame)) continue;
+        try {
+            if (is_it(shot.frame)) return;
+        } catch (const ReadError&) {
+            throw;  // what is wrong with the file concerns all frames
+        } catch (const InputError&) {
+        }
+    }
+}
+
+// One radius for all points: made of each frame's own distances it would come and go.
+SphereData FrameSequence::read_data(std::int64_t frame) {
     SphereData data = reader_->read(frame);
-    // One radius for all: made of each frame's own distances it would come and go.
-    if (data.radius_of_points) {
+    if (!data.asks_for_radius || std::exchange(knows_radius_, true)) return data;
+    std::int64_t present = frame;
+    look_through([&](std::int64_t other) {
+        if (std::exchange(present, other) != other) data = reader_->read(other);
         radius_ = data.radius_of_points;
-        reader_->set_radius(*radius_);
+        return radius_.has_value();
+    });
+    if (radius_) {
+        reader_->set_radius_of_points(*radius_);
         radius_warnings_ = data.warnings;
     }
+    return present == frame ? std::move(data) : reader_->read(frame);
+}
+
+const LoadedScene& FrameSequence::read(std::int64_t frame) {
+    read_alone(frame);
+    // One range, one scale and one order of categories for all: made of each frame's own values, colours and sizes would come and
+    // go.
+    const auto settle = [&](bool asks, bool& knows, const auto& take) {
+        if (!asks || std::exchange(knows, true)) return;
+        look_through([&](std::int64_t other) {
+            read_alone(other);
+            return take();
+        });
+        read_alone(frame);
+    };
+    const AppliedLook& look = present_.look;
+    settle(look.coloring && !look.coloring->is_category(), knows_range_, [&] {
+        look_.range = look.found_range;
+        return look_.range.has_value();
+    });
+    settle(look.coloring && look.coloring->is_category(), knows_order_, [&] {
+        if (look.coloring && look.coloring->is_category()) look_.order = look.coloring->order;
+        return look_.order.has_value();
+    });
+    settle(look.sizing.has_value(), knows_scale_, [&] {
+        look_.scale = look.found_scale;
+        return look_.scale.has_value();
+    });
+    return present_;
+}
+
+void FrameSequence::read_alone(std::int64_t frame) {
+    if (frame == present_frame_) return;
+    present_frame_ = -1;
+    present_ = {};
+    SphereData data = read_data(frame);
     const std::size_t count = data.scene.spheres.size();
     require_memory_for_spheres(reader_->name(), count, bytes_to_draw_a_sphere);
     present_ = loaded_from(std::move(data), reader_->name(), reader_->format());
     hide_and_light(present_.scene, changes_);  // what is hidden counts for no range
     if (look_.any()) {
-        present_.look = apply_look(present_.scene, look_, present_.name, present_.property_names);
-        // The first frame's range and scale are those of all: made of each frame's own values, colours and sizes would come and go.
-        if (present_.look.coloring && !present_.look.coloring->is_category()) look_.range = present_.look.coloring->range;
-        if (present_.look.sizing) look_.scale = present_.look.sizing->scale;
+        try {
+            present_.look = apply_look(present_.scene, look_, present_.name, present_.property_names);
+        } catch (const InputError& error) {
+            if (frame == shots_.front().frame) throw;
+            const std::string begin = present_.name + ": ";  // as the line does
+            throw InputError(begin + "frame " + std::to_string(frame) + ": " + std::string(error.what()).substr(begin.size()));
+        }
     }
     color_and_size(present_.scene, changes_);
     present_frame_ = frame;
-    return present_;
 }
 
 void FrameSequence::prepare(Progress& progress) {
@@ -117,6 +177,8 @@ void FrameSequence::prepare(Progress& progress) {
         append(shared_, look_.range->low);
         append(shared_, look_.range->high);
     }
+    for (const std::string& name : look_.order ? look_.order->names : std::vector<std::string>())
+        shared_ += name + std::string(1, '\0');
     for (const std::optional<double>& number : {look_.scale, radius_}) shared_ += number ? shortest(*number) + " " : "- ";
 }
 

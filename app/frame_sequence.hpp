@@ -15,6 +15,7 @@
 #include "base/progress.hpp"
 #include "camera/turntable.hpp"
 #include "formats/frame_reader.hpp"
+#include "formats/sphere_data.hpp"
 
 namespace sphereview {
 
@@ -64,8 +65,14 @@ public:
     std::vector<std::string> not_said(const std::vector<std::string>& lines);
 
 private:
-    // A frame as the file has it.
+    // A frame as the file has it, with what all share: the radius of points, and the range, the scale and the order of categories
+    // that values give, each that of the first frame in the list that has one, whichever is read first. So all parts of the list
+    // have the same.
     const LoadedScene& read(std::int64_t frame);
+    SphereData read_data(std::int64_t frame);
+    void read_alone(std::int64_t frame);
+    template <typename IsIt>
+    void look_through(const IsIt& is_it);
     // What the camera comes of that is fitted to all these shots, besides the file; nothing where it cannot be told in short.
     std::optional<std::string> question_of_fit(const ViewAxes& axes) const;
     const LoadedScene* read_to_fit(std::int64_t frame);
@@ -73,7 +80,12 @@ private:
     Camera camera_of(const Shot& shot) const { return turn_ ? turn_->camera(camera_, middle_, shot.degrees) : camera_; }
 
     const RenderOptions& options_;
-    LookOptions look_;                     // with what the first frame's values gave
+    LookOptions look_;  // with what the first frame's values gave
+    // Whether the frames were looked through for them, or need not be.
+    bool knows_radius_ = false;
+    bool knows_range_ = false;
+    bool knows_scale_ = false;
+    bool knows_order_ = false;
     std::optional<FrameReader> reader_{};  // none: of the one frame that is there
     FrameChanges changes_{};
     std::string early_end_{};
@@ -88,7 +100,7 @@ private:
     glm::dvec3 middle_{0.0};  // of what the camera is fitted to, or of the first frame
     std::set<std::string> said_{};
     std::set<std::int64_t> beyond_range_{};       // frames
-    std::optional<double> radius_{};              // of all points, by one of the frames
+    std::optional<double> radius_{};              // of all points, by the first frame that has one
     std::vector<std::string> radius_warnings_{};  // of that frame, until a picture has them
 };
 

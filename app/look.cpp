@@ -77,16 +77,18 @@ AppliedLook apply_look(Scene& scene, const LookOptions& options, const std::stri
     const Property* colors = options.color_by ? &values_for(scene, *options.color_by, name, has, own_colors) : nullptr;
     const Property* sizes = options.size_by ? &values_for(scene, *options.size_by, name, has, own_sizes) : nullptr;
     if (colors != nullptr) {
-        applied.colored_by = {colors->name, options.map, options.range, options.log};
+        applied.colored_by = {colors->name, options.map, options.range, options.log, options.order};
         try {
             applied.coloring = coloring_of(scene, *colors, applied.colored_by);
         } catch (const InputError& error) {
             throw InputError(begin + error.what());
         }
+        const auto values = applied.coloring->is_category() ? std::nullopt : range_of(*colors, options.log);
         if (options.range) {
             const auto [least, greatest] = std::minmax(options.range->low, options.range->high);
-            const auto found = range_of(*colors, options.log);
-            applied.has_values_beyond = found && (found->low < least || found->high > greatest);
+            applied.has_values_beyond = values && (values->low < least || values->high > greatest);
+        } else {
+            applied.found_range = values;
         }
         for (const Sphere& sphere : scene.spheres) applied.own_colors.push_back(sphere.color);
         const std::vector<Color> found = colors_of(*colors, *applied.coloring);
@@ -100,7 +102,8 @@ AppliedLook apply_look(Scene& scene, const LookOptions& options, const std::stri
         if (is_category(*sizes)) {
             throw InputError(begin + sizes->name + ": found words, expected numbers, for sizes");
         }
-        applied.sizing = size_by(scene.spheres, *sizes, options.scale.value_or(usual_scale(scene, *sizes)));
+        if (!options.scale) applied.found_scale = usual_scale(scene, *sizes);
+        applied.sizing = size_by(scene.spheres, *sizes, options.scale.value_or(applied.found_scale.value_or(1.0)));
         applied.sized_by = sizes->name;
         const Sizing& sizing = *applied.sizing;
         applied.lines.push_back(

@@ -18,6 +18,7 @@ struct LookOptions {
     std::optional<ColorMap> map;          // these three with color_by
     std::optional<ValueRange> range;
     bool log = false;
+    std::optional<CategoryOrder> order;  // that another frame has given
     std::optional<std::string> size_by;  // a property
     std::optional<double> scale;         // with size_by; > 0
     std::optional<RadiiKind> radii;      // not with size_by
@@ -34,9 +35,11 @@ DataOptions with_properties(DataOptions data, const LookOptions& look);
 struct AppliedLook {
     std::optional<Coloring> coloring{};
     ColorBy colored_by{};
-    bool has_values_beyond = false;  // the range that was asked for
+    bool has_values_beyond = false;           // the range that was asked for
+    std::optional<ValueRange> found_range{};  // of the numbers, where none was asked for and they have one
     std::optional<Sizing> sizing{};
-    std::string sized_by{};  // the property
+    std::optional<double> found_scale{};  // likewise
+    std::string sized_by{};               // the property
     // What the spheres had before, where they have got others.
     std::vector<Color> own_colors{};
     std::vector<double> own_radii{};

@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include "app/frame_sequence.hpp"
 #include "app/json.hpp"
@@ -61,6 +62,10 @@ ManifestEntry entry_of(std::string_view line, const std::string& name, std::size
     return entry;
 }
 
+[[noreturn]] void refuse_irregular(const std::string& path) {
+    throw InputError(path + ": found no regular file, expected one: a device may have no end");
+}
+
 // JSON holds no other name: nobody would find the file again.
 void require_utf8(const std::string& word) {
     if (!is_utf8(word)) throw InputError("sphereview: --manifest: found " + in_quotes(word) + ", expected a name in UTF-8");
@@ -103,14 +108,19 @@ std::string sum_of_pixels(const Image& picture) {
     return sha256(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 
+void require_regular_file(const std::string& path) {
+    // Not opened: a FIFO would be waited for.
+    if (file_identity(path, FileUse::input).empty()) refuse_irregular(path);
+}
+
 std::string sum_of_file(const std::string& path) {
-    const auto require_regular = [&](bool regular) {
-        if (!regular) throw InputError(path + ": found no regular file, expected one: a device may have no end");
-    };
-    require_regular(!file_identity(path, FileUse::input).empty());  // not opened before: a FIFO would be waited for
+    require_regular_file(path);
     InputStream stream(path, Content::binary);
-    require_regular(stream.is_regular());
-    return sha256([&] {
+    stream.fill(1);
+    const bool is_empty = stream.bytes().empty();
+    if (!stream.is_regular() && !is_empty) refuse_irregular(path);  // it hides its size
+    return sha256([&, first = true]() mutable {
+        if (std::exchange(first, false)) return stream.bytes();
         stream.drop_first(stream.bytes().size());
         stream.fill(read_at_once);
         return stream.bytes();
@@ -129,22 +139,24 @@ ManifestLines read_manifest(const std::string& path) {
     return lines;
 }
 
-Manifest::Manifest(const RenderOptions& options, std::span<const RenderJob> jobs)
-    : options_(options), file_(nullptr, &std::fclose) {
+std::map<std::string, FileStates> states_of_inputs(const RenderOptions& options) {
+    std::map<std::string, FileStates> states;
+    for (const std::string& scene : options.scenes) states.emplace(scene, file_states(scene));
+    if (options.fit.camera) states.emplace(*options.fit.camera, file_states(*options.fit.camera));
+    return states;
+}
+
+Manifest::Manifest(const RenderOptions& options, std::span<const RenderJob> jobs, std::map<std::string, FileStates> states)
+    : options_(options), states_(std::move(states)), file_(nullptr, &std::fclose) {
     const std::string& path = *options.frames.manifest;
     for (const std::string& scene : options.scenes) {
         if (scene == standard_stream)
             throw InputError("sphereview: --manifest: found stdin as a scene, expected a file: it has a sum");
         require_utf8(scene);
     }
+    if (options.fit.camera) require_regular_file(*options.fit.camera);
     for (const std::string& word : options.words) require_utf8(word);
-    for (const RenderJob& job : jobs) {
-        require_utf8(job.output.value_or(""));
-        if (!job.fault.empty() || scene_sums_.contains(job.scene)) continue;
-        scene_states_.emplace(job.scene, file_states(job.scene));
-        scene_sums_.emplace(job.scene, sum_of_file(job.scene));
-    }
-    if (options.fit.camera) camera_sum_ = sum_of_file(*options.fit.camera);
+    for (const RenderJob& job : jobs) require_utf8(job.output.value_or(""));
     std::string kept;
     if (options.frames.skip_existing && file_identity(path, FileUse::input) != "") {
         std::FILE* there = open_file(path, "rb");
@@ -163,9 +175,28 @@ std::int64_t Manifest::number_of(const RenderJob& job) const {
     return job.sequence ? job.sequence->shots()[job.shot].number : options_.data.frame;
 }
 
-bool Manifest::is_of(const ManifestEntry& entry, const RenderJob& job) const {
-    return entry.frame == number_of(job) && entry.scene == job.scene && entry.scene_sum == scene_sums_.at(job.scene) &&
-           entry.camera_sum == camera_sum_ && entry.sequence_sum == sequence_sum(job) &&
+const std::string& Manifest::sum_of(const std::string& file) {
+    const auto known = sums_.find(file);
+    if (known != sums_.end()) return known->second;
+    const std::string sum = sum_of_file(file);
+    require_same(file);
+    return sums_.emplace(file, sum).first->second;
+}
+
+std::optional<std::string> Manifest::camera_sum() {
+    return options_.fit.camera ? std::optional(sum_of(*options_.fit.camera)) : std::nullopt;
+}
+
+void Manifest::require_same(const std::string& file) {
+    if (file_states(file) == states_.at(file)) return;
+    lost_scene_ = true;
+    throw InputError(file + ": has changed since the run began, expected the same file to the end: no further picture has a line");
+}
+
+bool Manifest::is_of(const ManifestEntry& entry, const RenderJob& job) {
+    if (states_.at(job.scene).empty()) return true;  // its own job says what is wrong with it
+    return entry.frame == number_of(job) && entry.scene == job.scene && entry.scene_sum == sum_of(job.scene) &&
+           entry.camera_sum == camera_sum() && entry.sequence_sum == sequence_sum(job) &&
            options_of_one(entry) == options_of_one(options_.words, job.sequence != nullptr);
 }
 
@@ -207,17 +238,14 @@ std::string Manifest::kept_of(std::string_view lines, std::span<const RenderJob>
 }
 
 void Manifest::add(const RenderJob& job, const PictureSums& sums) {
-    if (file_states(job.scene) != scene_states_.at(job.scene)) {
-        lost_scene_ = true;
-        throw InputError(job.scene + ": has changed since " + *options_.frames.manifest +
-                         " was begun, expected the same file to the end: this picture has no line");
-    }
+    require_same(job.scene);
+    if (options_.fit.camera) require_same(*options_.fit.camera);
     const Json line = {{"frame", number_of(job)},
                        {"picture", job.output},
                        {"place", job.shot},
                        {"scene", job.scene},
-                       {"scene_sha256", scene_sums_.at(job.scene)},
-                       {"camera_sha256", camera_sum_},
+                       {"scene_sha256", sum_of(job.scene)},
+                       {"camera_sha256", camera_sum()},
                        {"sequence_sha256", sequence_sum(job)},
                        {"options", options_.words},
                        {"pixels_sha256", sums.pixels},

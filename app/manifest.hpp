@@ -22,8 +22,13 @@ namespace sphereview {
 
 // Of a picture's bytes, the top row first, 3 or 4 a pixel.
 std::string sum_of_pixels(const Image& picture);
+// Throws InputError for a device or a FIFO, of which no sum can be made.
+void require_regular_file(const std::string& path);
 // Of a regular file. Throws InputError.
 std::string sum_of_file(const std::string& path);
+
+// The files that pictures are made of, as they are before the first is opened.
+std::map<std::string, FileStates> states_of_inputs(const RenderOptions& options);
 
 // What a manifest says of a picture's bytes.
 struct PictureSums {
@@ -59,8 +64,8 @@ class Manifest {
 public:
     // Begins the file named by the options anew, or with --skip-existing goes on behind the whole lines that are there, without
     // those of jobs' pictures that were made of something else: then the jobs' sequences are to be prepared.
-    // Throws OutputError, and InputError for scenes without a name, or names that JSON cannot hold.
-    Manifest(const RenderOptions& options, std::span<const RenderJob> jobs);
+    // `states`: states_of_inputs(). Throws OutputError, and InputError for scenes without a name, or names that JSON cannot hold.
+    Manifest(const RenderOptions& options, std::span<const RenderJob> jobs, std::map<std::string, FileStates> states);
 
     // Whether that picture of a job is there whole, and has a line.
     bool has(const std::string& picture) const { return known_.contains(picture); }
@@ -68,23 +73,26 @@ public:
     std::size_t outdated() const { return outdated_.size(); }
 
     // Appends the line of a job's picture, unless it is there, whole or not at all, as durable as the picture. Throws OutputError,
-    // and InputError where the scene is no longer the file whose sum the lines give.
+    // and InputError where the scene, or that of the camera, is no longer the file whose state was given, or none that has a sum.
     void add(const RenderJob& job, const PictureSums& sums);
     // Whether a scene was found changed: no further picture gets a line.
     bool has_lost_scene() const { return lost_scene_; }
 
 private:
     // Whether the line is what add() would write of the job, but for the sums of its picture.
-    bool is_of(const ManifestEntry& entry, const RenderJob& job) const;
+    bool is_of(const ManifestEntry& entry, const RenderJob& job);
+    // Made when it is first asked for. Throws InputError where the file is not as it was.
+    const std::string& sum_of(const std::string& file);
+    std::optional<std::string> camera_sum();
+    void require_same(const std::string& file);
     std::int64_t number_of(const RenderJob& job) const;
     // The lines of a manifest that are to stay.
     std::string kept_of(std::string_view lines, std::span<const RenderJob> jobs);
 
     const RenderOptions& options_;
-    std::map<std::string, std::string> scene_sums_{};
-    std::map<std::string, FileStates> scene_states_{};  // from before they were summed
+    std::map<std::string, FileStates> states_;
+    std::map<std::string, std::string> sums_{};
     bool lost_scene_ = false;
-    std::optional<std::string> camera_sum_{};
     std::set<std::string> known_{};
     std::set<std::string> lines_of_lost_{};  // of pictures that are gone or damaged
     std::set<std::string> outdated_{};

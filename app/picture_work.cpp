@@ -66,6 +66,7 @@ void PictureMaker::begin(const RenderJob& job, PictureWork& work) {
         if (job.output) check_output(*job.output, missing_folder(options_.output.value_or("")));
         if (job.diff) check_output(*job.diff, missing_folder(*options_.diff));
         if (job.expect) work.golden.emplace(open_png(*job.expect));
+        if (wanted_.sums) require_regular_file(job.scene);
         try {
             work.loaded = read_scene(job, work.report);
         } catch (const ReadError&) {

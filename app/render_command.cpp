@@ -1,5 +1,6 @@
 // sphereview render: which pictures, and where they go.
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -32,6 +33,7 @@ std::vector<OpenedScene> opened_scenes(const RenderOptions& options, Progress& p
     for (const std::string& scene : options.scenes) {
         OpenedScene& opened = all.emplace_back();
         try {
+            if (options.frames.manifest) require_regular_file(scene);
             opened.sequence = std::make_shared<FrameSequence>(scene, options, progress);
             if (const std::string& end = opened.sequence->early_end(); !end.empty()) say(end);
         } catch (const InputError& error) {
@@ -94,6 +96,7 @@ ExitCode run_render(const RenderOptions& asked_for) {
     // Light needs megabytes of its own, when what was needed before it is given back.
     if (options.shading == Shading::studio) return_large_blocks();
     Progress progress;
+    const auto states = options.frames.manifest ? states_of_inputs(options) : std::map<std::string, FileStates>();
     const std::vector<OpenedScene> scenes = opened_scenes(options, progress);
     std::vector<RenderJob> jobs = plan_render(options, scenes);
     // What is there is compared with what would be made.
@@ -102,7 +105,7 @@ ExitCode run_render(const RenderOptions& asked_for) {
     // Where no scene is right, what there is of an earlier run stays.
     if (!jobs.empty() && count_pictures(jobs) == 0) return run_jobs(options, jobs, {}, progress);
     std::optional<Manifest> manifest;
-    if (options.frames.manifest) manifest.emplace(options, jobs);
+    if (options.frames.manifest) manifest.emplace(options, jobs, states);
     leave_out_existing(jobs, options, manifest ? &*manifest : nullptr);
     if (jobs.empty()) return status_of(scenes);
     std::optional<Film> film;

@@ -221,7 +221,7 @@ private:
         const Property* values = chosen(state_.size_by, own, state_.resizes);
         if (values == nullptr || is_category(*values)) return;
         if (std::exchange(state_.resizes, false)) {
-            state_.scale = usual_scale(scene_, *values);
+            state_.scale = usual_scale(scene_, *values).value_or(1.0);
             resize(*values, 0);
         }
         const NumberRule rule{.above_zero = true, .help = "The radius of a value of 1"};
@@ -290,7 +290,10 @@ const Coloring* shown_coloring(const Document& document, LookPanelState& state) 
             by = &used.by;
             state.shown = used.coloring;
             // Spheres may have been hidden or removed.
-            if (used.coloring.is_category()) state.shown = coloring_of(document.scene(), *values, used.by);
+            if (!used.coloring.is_category()) continue;
+            ColorBy same = used.by;
+            same.order = used.coloring.order;
+            state.shown = coloring_of(document.scene(), *values, same);
         }
         // What an undo has brought back is what the panel shows.
         if (by != nullptr && others_changed_it && !state.handle && !state.recolors) state.colors = *by;

@@ -198,7 +198,7 @@ void FramesAhead::read_one(Shared& shared, FrameReader& reader, LoadOptions opti
     try {
         SphereData data = reader.read(*task.frame);
         // One radius for all: made of each frame's own distances it would come and go.
-        if (data.radius_of_points) reader.set_radius(*data.radius_of_points);
+        if (data.radius_of_points) reader.set_radius_of_points(*data.radius_of_points);
         loaded = loaded_from(std::move(data), reader.name(), reader.format());
         complete(loaded, options);
     } catch (...) {

@@ -69,11 +69,13 @@ void keep_chosen_look(const ViewerState& state, LookOptions& options) {
         options.range =
             by_category || look.shown->range.low == look.shown->range.high ? std::nullopt : std::optional(look.shown->range);
         options.log = look.shown->log;
+        options.order = by_category ? std::optional(look.shown->order) : std::nullopt;
     } else if (look.own.colors_chosen) {
         options.color_by.reset();
         options.map.reset();
         options.range.reset();
         options.log = false;
+        options.order.reset();
     }
     Property own;
     const Property* sizes = look.size_by.empty() ? nullptr : find_values(state.scene(), look.size_by, own);
@@ -102,6 +104,7 @@ void note_look(ViewerState& state, const LoadedScene& loaded) {
     look.has_sized = !loaded.look.own_radii.empty();
     if (loaded.look.coloring) {
         look.colors = loaded.look.colored_by;
+        look.colors.order.reset();  // a person's next choice has its own
         note_colors(look, {look.colors, *loaded.look.coloring});
     }
     if (loaded.look.sizing) {

@@ -383,7 +383,7 @@ SphereData read_csv(std::string_view content, const std::string& name, const Dat
     warn_of_left_out(data, notes.no_center, name, "row", "rows");
     warn_of_odd(data, notes.odd, name);
     settle_virtual_sites(data, notes.virtual_sites, name, options);
-    if (notes.radii == 0 && !options.radius && !table.columns.has(CsvColumn::element)) use_radius_of_points(data, name);
+    if (notes.radii == 0 && !table.columns.has(CsvColumn::element)) use_radius_of_points(data, name, options);
     if (const std::string words = passed_over_in_words(table, options); !words.empty()) data.notes.push_back(name + ": " + words);
     return data;
 }

@@ -36,8 +36,8 @@ public:
     const SceneFormat& format() const { return format_; }
     // Of a long file about which something may be kept (kept_findings.hpp).
     const std::optional<FileStamp>& stamp() const { return stamp_; }
-    // From now on given to spheres for which the file says none.
-    void set_radius(double radius) { options_.radius = radius; }
+    // From now on given to points, instead of one that is made of each frame's distances.
+    void set_radius_of_points(double radius) { options_.radius_of_points = radius; }
     // Called now and then with the part of the file that was passed, 0..1; not of pipes.
     void watch(std::function<void(double)> watcher) { watcher_ = std::move(watcher); }
 

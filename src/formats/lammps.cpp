@@ -359,7 +359,7 @@ SphereData read_dump_frame(const TextSource& source, const DumpFrame& frame, con
     SphereData data = data_of(std::move(atoms), source.name, options, name_of_dump_atom);
     data.time = time_of_dump(frame);
     const bool has_radii = columns.has(DumpField::radius) || columns.has(DumpField::diameter);
-    if (!has_radii && !has_elements && !options.radius) use_radius_of_points(data, source.name);
+    if (!has_radii && !has_elements) use_radius_of_points(data, source.name, options);
     return data;
 }
 

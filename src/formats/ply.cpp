@@ -352,7 +352,7 @@ SphereData read_ply(std::string_view content, const std::string& name, const Dat
     remove_spheres(data.scene, nowhere);
     if (!drawn.has(ply_z)) data.warnings.push_back(name + ": no property z: all lie in the plane z = 0");
     warn_of_left_out(data, nowhere.size(), name, "vertex", "vertices");
-    if (!drawn.has(ply_radius) && !drawn.has(ply_diameter) && !options.radius) use_radius_of_points(data, name);
+    if (!drawn.has(ply_radius) && !drawn.has(ply_diameter)) use_radius_of_points(data, name, options);
     return data;
 }
 

@@ -178,10 +178,14 @@ std::optional<double> radius_of_points(const std::vector<Sphere>& points) {
     return radius > 0.0 && std::isfinite(radius) ? std::optional(radius) : std::nullopt;
 }
 
-void use_radius_of_points(SphereData& data, const std::string& name) {
-    const std::optional<double> radius = radius_of_points(data.scene.spheres);
+void use_radius_of_points(SphereData& data, const std::string& name, const DataOptions& options) {
+    if (options.radius) return;
+    data.asks_for_radius = true;
+    const std::optional<double> given = options.radius_of_points;
+    const std::optional<double> radius = given ? given : radius_of_points(data.scene.spheres);
     if (!radius) return;
     for (Sphere& sphere : data.scene.spheres) sphere.radius = *radius;
+    if (given) return;
     data.radius_of_points = radius;
     data.warnings.push_back(name + ": no radius in the file: all get " + decimal(*radius, std::chars_format::general, 4) +
                             ", a quarter of the median distance to the nearest neighbour; --radius gives another");

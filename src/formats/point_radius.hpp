@@ -15,8 +15,8 @@ namespace sphereview {
 // Centres must be finite. Nothing where fewer than two places differ, or where their distances are beyond a double.
 std::optional<double> radius_of_points(const std::vector<Sphere>& points);
 
-// Gives all spheres of `data` that radius, and says so in a warning, which begins with the file's `name`; where there is none they
-// keep theirs.
-void use_radius_of_points(SphereData& data, const std::string& name);
+// Where `options` give no radius: gives all spheres of `data`, of which the file says none, that radius, and says so in a warning,
+// which begins with the file's `name`; or DataOptions::radius_of_points. Where there is none they keep theirs.
+void use_radius_of_points(SphereData& data, const std::string& name, const DataOptions& options);
 
 }  // namespace sphereview

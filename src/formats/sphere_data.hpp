@@ -43,11 +43,12 @@ struct PartOfFile {
 inline constexpr std::uint64_t usual_index_from = std::uint64_t{1} << 26;
 
 struct DataOptions {
-    std::int64_t frame = 0;               // from 0
-    std::optional<double> radius{};       // of spheres for which the file says none, instead of the usual one; > 0
-    bool virtual_sites = true;            // whether to show what a file of atoms calls one and is none (elements.hpp)
-    std::vector<ColumnChoice> columns{};  // of CSV
-    PartOfFile part{};                    // of a format that steps over frames (scene_format.hpp): what the text is
+    std::int64_t frame = 0;                    // from 0
+    std::optional<double> radius{};            // of spheres for which the file says none, instead of the usual one; > 0
+    std::optional<double> radius_of_points{};  // of points, instead of one that is made of their distances; > 0
+    bool virtual_sites = true;                 // whether to show what a file of atoms calls one and is none (elements.hpp)
+    std::vector<ColumnChoice> columns{};       // of CSV
+    PartOfFile part{};                         // of a format that steps over frames (scene_format.hpp): what the text is
     std::vector<std::string>
         properties{};             // names of those to keep in the scene, in any letter case; those that a file lacks are left out
     bool all_properties = false;  // keep every one
@@ -63,7 +64,8 @@ struct SphereData {
     std::optional<std::int64_t> cut_frame{};   // others may be lost in or behind this one, though more follow
     std::optional<FrameTime> time{};           // of the frame, where the file says it
     std::size_t next_frame = 0;                // where PartOfFile::begin may be for the one behind it; 0: that is not known
-    std::optional<double> radius_of_points{};  // that all got, because the file says none (point_radius.hpp)
+    bool asks_for_radius = false;              // nothing says any: it is to be made of the points' distances, if these give one
+    std::optional<double> radius_of_points{};  // that all got of them (point_radius.hpp)
 
     // What a person should know of a file that was read all the same, a line each, which begins with the file's name:
     // "NAME:LINE:COLUMN: found ..., expected ...; ...". Not yet made safe to print.

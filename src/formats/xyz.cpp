@@ -287,7 +287,7 @@ SphereData read_xyz_frame(const TextSource& source, const XyzFrame& frame, const
         data.warnings.push_back(source.name + ": holds MOPAC's flags behind each coordinate; they are passed over");
     // What says neither what nor how large its atoms are holds points.
     const bool has_species = layout.has(XyzField::species) && !layout.has_types;
-    if (!has_species && !all.any_radius && !options.radius) use_radius_of_points(data, source.name);
+    if (!has_species && !all.any_radius) use_radius_of_points(data, source.name, options);
     return data;
 }
 

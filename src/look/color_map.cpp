@@ -86,6 +86,7 @@ Color category_color(std::size_t category) {
         int level;
     };
     constexpr std::array<Variation, 5> variations = {{{100, 0}, {50, 255}, {60, 0}, {25, 255}, {35, 0}}};
+    static_assert(first.size() * variations.size() == category_colors);
     const Variation& how = variations[category / first.size() % variations.size()];
     return mixed(first[category % first.size()], how.percent, how.level);
 }

@@ -32,5 +32,6 @@ inline constexpr Color no_value_color{128, 128, 128};
 // kind of colour-blindness can tell apart, without black; then come lighter and darker ones of the same seven, 35 in all, and then
 // the first again.
 Color category_color(std::size_t category);
+inline constexpr std::size_t category_colors = 35;
 
 }  // namespace sphereview

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <string_view>
 #include <tuple>
+#include <unordered_map>
 
 #include "base/error.hpp"
 #include "base/number.hpp"
@@ -39,9 +41,8 @@ std::string word_of(const Property& values, std::size_t sphere) {
 // The colours of a category's words, or of its numbers.
 class CategoryColors {
 public:
-    CategoryColors(const Property& values, const std::vector<Category>& categories)
-        : values_(values), elements_(holds_elements(values)) {
-        for (const Category& category : categories) by_name_.emplace(category.name, category.color);
+    CategoryColors(const Property& values, const Coloring& coloring) : values_(values), elements_(coloring.order.are_elements) {
+        for (const Category& category : coloring.categories) by_name_.emplace(category.name, category.color);
         if (const auto* labels = std::get_if<Labels>(&values.values)) {
             for (const std::string& word : labels->words) of_words_.push_back(find(group_of(word, elements_)));
         }
@@ -69,8 +70,22 @@ Color color_of_number(double value, const Coloring& coloring) {
     return std::isnan(part) ? no_value_color : color_of(coloring.map, part);
 }
 
-std::vector<Category> categories_of(const Scene& scene, const Property& values) {
-    const bool elements = holds_elements(values);
+// One that the first frame has not gets one of the colours that are left, the next whole number the next one.
+Color color_of_later(const std::string& name, std::size_t of_first) {
+    const std::size_t before = of_first < category_colors ? of_first : 0;
+    const std::size_t left = category_colors - before;
+    double number = 0.0;
+    if (parse_double(name, number) == NumberFault::none && number == std::floor(number) && std::abs(number) < 1e15) {
+        const auto count = static_cast<std::int64_t>(left);
+        const std::int64_t place = (static_cast<std::int64_t>(number) - 1 - static_cast<std::int64_t>(before)) % count;
+        return category_color(before + static_cast<std::size_t>(place < 0 ? place + count : place));
+    }
+    std::uint64_t hash = 14695981039346656037U;  // FNV-1a
+    for (const char letter : name) hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211U;
+    return category_color(before + static_cast<std::size_t>(hash % left));
+}
+
+std::vector<Category> categories_of(const Scene& scene, const Property& values, bool elements) {
     std::map<std::string, std::size_t> counts;  // also of those that only hidden spheres have
     if (const auto* labels = std::get_if<Labels>(&values.values)) {
         std::vector<std::size_t> of_words(labels->words.size());
@@ -88,12 +103,19 @@ std::vector<Category> categories_of(const Scene& scene, const Property& values) 
     std::vector<Category> categories;
     for (const auto& [name, count] : counts) categories.push_back({name, no_value_color, count});
     std::ranges::sort(categories, {}, [&](const Category& category) { return order_of(category.name, elements); });
-    std::size_t next = 0;
+    return categories;
+}
+
+void color_categories(std::vector<Category>& categories, const CategoryOrder& order) {
+    std::unordered_map<std::string_view, std::size_t> places;
+    for (const std::string& name : order.names) places.emplace(name, places.size());
     for (Category& category : categories) {
         if (category.name.empty()) continue;
-        category.color = elements ? element_of_species(category.name).color : category_color(next++);
+        const auto place = places.find(category.name);
+        category.color = order.are_elements      ? element_of_species(category.name).color
+                         : place != places.end() ? category_color(place->second)
+                                                 : color_of_later(category.name, places.size());
     }
-    return categories;
 }
 
 // Whole numbers, few enough to be kinds of something.
@@ -126,7 +148,13 @@ Coloring coloring_of(const Scene& scene, const Property& values, const ColorBy& 
         throw InputError(name + "found words, expected numbers for a range or a logarithm");
     }
     if (is_category(values) || (!as_numbers && shown_by_category(values))) {
-        coloring.categories = categories_of(scene, values);
+        CategoryOrder& order = coloring.order;
+        order = by.order.value_or(CategoryOrder{holds_elements(values)});
+        coloring.categories = categories_of(scene, values, order.are_elements);
+        for (const Category& category : coloring.categories) {
+            if (!by.order && !order.are_elements && !category.name.empty()) order.names.push_back(category.name);
+        }
+        color_categories(coloring.categories, order);
         return coloring;
     }
     coloring.map = by.map.value_or(ColorMap::viridis);
@@ -146,7 +174,7 @@ Coloring coloring_of(const Scene& scene, const Property& values, const ColorBy& 
 std::vector<Color> colors_of(const Property& values, const Coloring& coloring) {
     std::vector<Color> colors(size_of(values));
     if (coloring.is_category()) {
-        const CategoryColors color(values, coloring.categories);
+        const CategoryColors color(values, coloring);
         for (std::size_t i = 0; i < colors.size(); ++i) colors[i] = color(i);
         return colors;
     }
@@ -159,7 +187,7 @@ double part_with_colors(const Scene& scene, const Property& values, const Colori
     constexpr std::size_t most_looked_at = 1000;
     const std::size_t step = scene.spheres.size() / most_looked_at + 1;
     const std::optional<CategoryColors> of_category =
-        coloring.is_category() ? std::optional<CategoryColors>(std::in_place, values, coloring.categories) : std::nullopt;
+        coloring.is_category() ? std::optional<CategoryColors>(std::in_place, values, coloring) : std::nullopt;
     std::size_t looked_at = 0;
     std::size_t same = 0;
     for (std::size_t i = 0; i < scene.spheres.size(); i += step) {

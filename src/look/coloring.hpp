@@ -12,12 +12,22 @@
 
 namespace sphereview {
 
+// Which categories have the palette's first colours, in this order: of several frames those of the first one. Any other category
+// has a colour of the rest by its name alone, the same in every frame.
+struct CategoryOrder {
+    bool are_elements = false;         // with the usual colours of these, instead of the palette's
+    std::vector<std::string> names{};  // without that of spheres that have none
+
+    bool operator==(const CategoryOrder&) const = default;
+};
+
 // What is asked for.
 struct ColorBy {
-    std::string property{};             // by its name, in any letter case
-    std::optional<ColorMap> map{};      // of numbers; none: viridis
-    std::optional<ValueRange> range{};  // none: from the least to the greatest
-    bool log = false;                   // by the logarithm of the numbers
+    std::string property{};                // by its name, in any letter case
+    std::optional<ColorMap> map{};         // of numbers; none: viridis
+    std::optional<ValueRange> range{};     // none: from the least to the greatest
+    bool log = false;                      // by the logarithm of the numbers
+    std::optional<CategoryOrder> order{};  // of categories; none: the scene's own
 
     bool operator==(const ColorBy&) const = default;
 };
@@ -41,6 +51,7 @@ struct Coloring {
     // Of words: not empty, in the order in which people look for them: elements by Hill (C, H, then by the alphabet), others by the
     // alphabet, numbers by size; at last the one without a name.
     std::vector<Category> categories{};
+    CategoryOrder order{};          // by which these have their colours
     std::size_t without_value = 0;  // of numbers: how many spheres that are not hidden have none
 
     bool is_category() const { return !categories.empty(); }

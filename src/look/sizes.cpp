@@ -72,13 +72,13 @@ std::optional<double> radius_of_element(std::string_view symbol, RadiiKind kind)
     return !found && kind == RadiiKind::ionic ? std::optional(element->radius) : found;
 }
 
-double usual_scale(const Scene& scene, const Property& values) {
+std::optional<double> usual_scale(const Scene& scene, const Property& values) {
     const std::optional<ValueRange> range = range_of(values, true);
     const std::optional<double> quarter = radius_of_points(scene.spheres);
-    if (!range || !quarter) return 1.0;
+    if (!range || !quarter) return std::nullopt;
     double scale = 0.0;
     const std::string text = decimal(2.0 * *quarter / range->high, std::chars_format::scientific, 2);
-    return parse_double(text, scale) == NumberFault::none && scale > 0.0 ? scale : 1.0;
+    return parse_double(text, scale) == NumberFault::none && scale > 0.0 ? std::optional(scale) : std::nullopt;
 }
 
 Sizing size_by(std::vector<Sphere>& spheres, const Property& values, double scale) {

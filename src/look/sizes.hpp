@@ -31,8 +31,8 @@ struct Sizing {
 };
 
 // So that the largest of the values becomes half the median distance to the nearest neighbour: spheres touch, and hide little. To 3
-// digits. 1 where the spheres or the values do not say.
-double usual_scale(const Scene& scene, const Property& values);
+// digits. Nothing where the spheres or the values do not say.
+std::optional<double> usual_scale(const Scene& scene, const Property& values);
 
 // Each sphere's radius becomes the scale times its value; where that is no finite number above 0, a fiftieth of the largest one.
 Sizing size_by(std::vector<Sphere>& spheres, const Property& values, double scale);

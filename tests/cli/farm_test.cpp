@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+
+#include <algorithm>
 #include <filesystem>
 
 #include "cli/fails.hpp"
@@ -26,6 +28,50 @@ TEST_F(Farm, PartsAreTheWhole) {
                       "out/0.png: cannot be both the picture of a.xyz, 0 and the picture of a.xyz, 0; frame 0 is named twice"));
     EXPECT_EQ(render(folder_, {"a.xyz", "--frames", "all", "-s", "9x9", "-o", "/dev/null", "--part", "1/2"}).status, 0);
     for (const char* wrong : {"0/4", "5/4", "1", "1/", "/4", "-1/4", "1/0"}) EXPECT_EQ(farm({"--part", wrong}).status, 2) << wrong;
+}
+
+// What the first frame gives no radius for, no range or no scale, another frame does: the same one in every part.
+TEST_F(Farm, PartsShareWhatTheFirstFrameThatHasItGives) {
+    const std::string points = "Properties=pos:R:3\n";
+    const std::string words = "Properties=species:S:1:pos:R:3:v:S:1\nH 0 0 0 low\nH 3 0 0 high\n";
+    const std::string numbers = "2\nProperties=species:S:1:pos:R:3:v:R:1\n";
+    const auto radius =
+        "1\n" + points + "0 0 0\n1\n" + points + "1 0 0\n2\n" + points + "0 0 0\n4 0 0\n2\n" + points + "0 0 0\n9 0 0\n";
+    const auto values = numbers + "H 0 0 0 1\nH 3 0 0 5\n" + numbers + "H 0 0 0 2\nH 3 0 0 9\n";
+    struct {
+        std::string file;
+        std::vector<std::string> look;
+    } const files[] = {
+        {radius, {}},
+        {radius, {"--color-by", "radius"}},
+        {numbers + "H 0 0 0 nan\nH 3 0 0 nan\n" + values, {"--color-by", "v"}},
+        {"2\n" + words + values, {"--color-by", "v"}},
+        {numbers + "H 0 0 0 nan\nH 3 0 0 nan\n" + values, {"--size-by", "v"}},
+        {"2\n" + words + "1\nProperties=species:S:1:pos:R:3:v:S:1\nH 3 0 0 high\n2\n" + words + values, {"--color-by", "v"}},
+    };
+    folder_.write("camera.toml", "[camera]\neye = [4, 0, -9]\ncenter = [4, 0, -8]\nright = [1, 0, 0]\nup = [0, 1, 0]\n");
+    for (const auto& [file, look] : files) {
+        folder_.write("a.xyz", file);
+        for (const auto& camera : {std::vector<std::string>{"--fit", "first"}, {"--camera", "camera.toml"}, {"--no-fit"}, {}}) {
+            const std::vector<std::string> options = all_words(look, camera);
+            expect_done(all_words(options, {"--manifest", "whole.jsonl"}));
+            std::string parts;
+            for (const char* part : {"3/3", "2/3", "1/3"}) {
+                expect_done(all_words(options, {"--part", part, "--manifest", "made.jsonl"}));
+                parts += folder_.read("made.jsonl");
+            }
+            std::vector<std::string> made = test::lines(parts);
+            std::vector<std::string> whole = test::lines(folder_.read("whole.jsonl"));
+            std::ranges::sort(made);
+            std::ranges::sort(whole);
+            EXPECT_EQ(made, whole);
+            EXPECT_EQ(verify().status, 0);
+            const Outcome more = farm(all_words(options, {"--skip-existing", "--manifest", "whole.jsonl", "--verbose"}));
+            EXPECT_TRUE(contains(
+                more.errors, std::to_string(whole.size()) + " of " + std::to_string(whole.size()) + " pictures are there already"))
+                << more;
+        }
+    }
 }
 
 TEST_F(Farm, WhatIsThereWholeIsLeftAlone) {

@@ -84,6 +84,41 @@ TEST_F(Frames, HaveOneRangeOfColoursAndSizes) {
     EXPECT_EQ(rendered({"--frames", "all"}), said + "v.xyz: frame 1 and 2 others hold" + beyond);
 }
 
+TEST_F(Frames, HaveOneColourForACategory) {
+    const auto frame = [](const std::string& left, const std::string& right) {
+        return "2\nProperties=species:S:1:pos:R:3:v:S:1\nH -1 0 0 " + left + "\nH 1 0 0 " + right + "\n";
+    };
+    folder_.write("v.xyz", frame("a", "b") + frame("b", "c") + frame("c", "d") + frame("d", "b"));
+    folder_.write("camera.toml", "[camera]\neye = [0, 0, 10]\ncenter = [0, 0, 9]\nright = [-0.3, 0, 0]\nup = [0, 0.3, 0]\n");
+    const auto colors = [&](const std::vector<std::string>& more) {
+        const Outcome outcome = render(all_words({"v.xyz", "-s", "60x60", "--camera", "camera.toml", "--color-by", "v"}, more));
+        EXPECT_EQ(outcome.status, 0) << outcome;
+        std::vector<std::vector<int>> found;
+        for (const char* name : {"v-00000.png", "v-00001.png", "v-00002.png", "v-00003.png"}) {
+            found.push_back(picture(name).at(20, 30));
+            found.push_back(picture(name).at(40, 30));
+        }
+        return found;
+    };
+    const auto all = colors({"--frames", "all"});
+    EXPECT_EQ(all[1], all[2]) << "b";
+    EXPECT_EQ(all[3], all[4]) << "c";
+    EXPECT_EQ(all[5], all[6]) << "d";
+    EXPECT_EQ(all[1], all[7]) << "b";
+    EXPECT_NE(all[3], all[0]);
+    EXPECT_NE(all[3], all[1]);
+    colors({"--frame", "0", "-o", "v-00000"});
+    EXPECT_EQ(picture("v-00000.png").at(20, 30), all[0]) << "the first frame as by itself";
+    for (const char* part : {"1/4", "2/4", "3/4", "4/4"}) EXPECT_EQ(colors({"--frames", "all", "--part", part}), all);
+}
+
+TEST_F(Frames, NameTheOneThatLacksAProperty) {
+    folder_.write("v.xyz", "1\nProperties=species:S:1:pos:R:3:v:R:1\nH 0 0 0 1\n1\n\nH 0 0 0\n");
+    const Outcome outcome = render({"v.xyz", "--frames", "all", "-s", "9x9", "--color-by", "v"});
+    EXPECT_EQ(outcome.status, 2) << outcome;
+    EXPECT_TRUE(contains(outcome.errors, "v.xyz: frame 1: found no property 'v', expected x")) << outcome;
+}
+
 TEST_F(Frames, AreNamedByNumber) {
     folder_.write("a.xyz", moving_atom(5));
     expect_done({"a.xyz", "--frames", "1:5:2,-1", "-s", "9x9", "-o", "{frame}.png"});

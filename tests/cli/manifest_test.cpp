@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 #include "cli/fails.hpp"
 #include "cli/farm.hpp"
@@ -94,10 +95,55 @@ TEST_F(Farm, AManifestEndsWhereItsSceneChanges) {
     const Outcome outcome = program.wait();
     EXPECT_EQ(outcome.status, 2) << outcome;
     EXPECT_EQ(outcome.errors,
-              "a.xyz: has changed since made.jsonl was begun, expected the same file to the end: this picture has no line\n"
+              "a.xyz: has changed since the run began, expected the same file to the end: no further picture has a line\n"
               "sphereview: ended where a scene had changed; 3 of 6 pictures were done\n");
     EXPECT_EQ(lines().size(), 3U);
     EXPECT_FALSE(folder_.has("out/4.png"));
+}
+
+// Until its sum is made, too: here the camera is waited for, after the scene was opened.
+TEST_F(Farm, AManifestHasNoSumOfAFileThatHasChangedSinceItWasOpened) {
+    expect_done({"--manifest", "made.jsonl"});
+    const std::string before = folder_.read("made.jsonl");
+    ASSERT_EQ(mkfifo(folder_.path("camera.toml").c_str(), 0600), 0);
+    Running program(cpu_render(folder_, {"a.xyz", "--frames", "all", "-s", "20x16", "-o", "out/{frame}.png", "--skip-existing",
+                                         "--manifest", "made.jsonl", "--camera", "camera.toml"}));
+    {
+        std::ofstream pipe(folder_.path("camera.toml"));  // waits until it is opened to be read
+        folder_.write("a.xyz", folder_.read("a.xyz") + "\n");
+        folder_.write("file.toml", "background = 'white'\n");
+        std::filesystem::rename(folder_.path("file.toml"), folder_.path("camera.toml"));
+        pipe << "background = 'white'\n";
+    }
+    EXPECT_TRUE(fails(program.wait(), 2, "a.xyz: has changed since the run began, expected the same file to the end"));
+    EXPECT_EQ(folder_.read("made.jsonl"), before);
+}
+
+TEST_F(Farm, AManifestLeavesOutAWrongScene) {
+    folder_.write("b.xyz", "1\n\nH 0 0 0\n");
+    folder_.write("empty.xyz", "");
+    ASSERT_EQ(mkfifo(folder_.path("fifo.xyz").c_str(), 0600), 0);
+    for (const auto& frames : {std::vector<std::string>{}, {"--frames", "all"}}) {
+        folder_.write("made.jsonl", "");
+        for (const char* ending : {"", "--skip-existing"}) {
+            std::vector<std::string> words = {"gone.xyz",   "fifo.xyz",  "empty.xyz", "b.xyz",
+                                              "-s",         "20x16",     "-o",        "one/{name}-{frame}.png",
+                                              "--manifest", "made.jsonl"};
+            if (*ending != 0) words.emplace_back(ending);
+            const Outcome outcome = render(folder_, all_words(words, frames));
+            EXPECT_EQ(outcome.status, 2) << outcome;
+            EXPECT_TRUE(contains(outcome.errors, "gone.xyz: ")) << outcome;
+            EXPECT_TRUE(contains(outcome.errors, "fifo.xyz: found no regular file")) << outcome;
+            EXPECT_TRUE(contains(outcome.errors, "empty.xyz:")) << outcome;
+            EXPECT_FALSE(contains(outcome.errors, "empty.xyz: found no regular file")) << outcome;
+            EXPECT_EQ(lines().size(), 1U);
+            EXPECT_TRUE(folder_.has("one/b-0.png"));
+        }
+        EXPECT_EQ(verify().status, 0);
+    }
+    // A file without a byte is one all the same.
+    folder_.write("one/b-0.png", "");
+    EXPECT_TRUE(fails(verify(), 1, "one/b-0.png: the file differs from the one that was written"));
 }
 
 // JSON holds no other names.

@@ -1,5 +1,6 @@
 // What the edits of a frame mean to the others.
 #include <filesystem>
+#include <map>
 
 #include "unit/frames_in_viewer.hpp"
 
@@ -275,6 +276,25 @@ TEST_F(FrameEditsTest, ColoursByAPropertyDoNotFlicker) {
         const auto grey = static_cast<double>(sphere(0).color.r);
         EXPECT_NEAR(grey, frame * 255.0 / 8.0, 1.0) << frame;
         EXPECT_EQ(look.shown.value_or(Coloring{}).range, (ValueRange{0.0, 8.0}));
+        EXPECT_FALSE(state.document.is_changed());
+    }
+}
+
+TEST_F(FrameEditsTest, ACategoryHasOneColourInAllFrames) {
+    const auto frame = [](const std::string& first, const std::string& second) {
+        return "2\nProperties=species:S:1:pos:R:3:v:S:1\nO 0 0 100 " + first + "\nO 0 3 100 " + second + "\n";
+    };
+    open(frame("a", "b") + frame("b", "c") + frame("c", "c") + frame("a", "c") + frame("c", "b"));
+    color_by({.property = "v"});
+    std::map<std::string, Color> colors = {{"a", sphere(0).color}, {"b", sphere(1).color}};
+    run(CommandId::next_frame);
+    colors["c"] = sphere(1).color;
+    EXPECT_EQ(sphere(0).color, colors["b"]);
+    EXPECT_TRUE(colors["c"] != colors["a"] && colors["c"] != colors["b"]);
+    for (const auto& [first, second] : {std::pair("c", "c"), std::pair("a", "c"), std::pair("c", "b")}) {
+        run(CommandId::next_frame);
+        EXPECT_EQ(sphere(0).color, colors[first]) << state.frame;
+        EXPECT_EQ(sphere(1).color, colors[second]) << state.frame;
         EXPECT_FALSE(state.document.is_changed());
     }
 }

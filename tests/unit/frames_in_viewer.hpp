@@ -90,13 +90,13 @@ struct FramesInViewer : testing::Test {
         if (question() != nullptr && question()->id == "reload") answer(asked);
     }
     // In one range for all frames.
-    void color_by_charge() {
+    void color_by_charge() { color_by({.property = "charge", .map = ColorMap::grey, .range = ValueRange{0.0, 8.0}}); }
+    void color_by(const ColorBy& by) {
         LookPanelState& look = state.side_panel.look;
-        const ColorBy by{.property = "charge", .map = ColorMap::grey, .range = ValueRange{0.0, 8.0}};
-        const Property& charge = *find_property(state.scene().properties, "charge");
-        const Coloring coloring = coloring_of(state.scene(), charge, by);
+        const Property& values = *find_property(state.scene().properties, by.property);
+        const Coloring coloring = coloring_of(state.scene(), values, by);
         std::vector<Sphere> spheres = state.scene().spheres;
-        for (std::size_t i = 0; i < spheres.size(); ++i) spheres[i].color = colors_of(charge, coloring)[i];
+        for (std::size_t i = 0; i < spheres.size(); ++i) spheres[i].color = colors_of(values, coloring)[i];
         note_colors(look, {by, coloring});
         apply(state, {ChangeSpheres{{0, 1}, spheres}, "Colour"});
         ASSERT_NE(shown_coloring(state.document, look), nullptr);

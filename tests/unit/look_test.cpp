@@ -205,6 +205,32 @@ TEST(Coloring, OfElementsIsTheUsualOne) {
     EXPECT_EQ(colored(scene_with({"chain", Labels{{"C"}, {0}}}), {}).categories[0].color, category_color(0));
 }
 
+// Of several frames those of the first have the first colours, the others by their names alone.
+TEST(Coloring, OfCategoriesIsTheSameInEveryFrame) {
+    const Scene first = scene_with({"chain", Labels{{"B", "A"}, {0, 1}}});
+    const Scene later = scene_with({"chain", Labels{{"0", "C", "A", "long name", "B"}, {1, 2, 3, 4}}});
+    const CategoryOrder order = colored(first, {}).order;
+    EXPECT_EQ(order.names, (std::vector<std::string>{"A", "B"}));
+    const Coloring with_first = colored(later, {.order = order});
+    EXPECT_EQ(with_first.order, order);
+    const std::vector<Color> colors = colors_of(later.properties[0], with_first);
+    EXPECT_EQ(colors[1], category_color(0));
+    EXPECT_EQ(colors[3], category_color(1));
+    EXPECT_EQ(colors[0], colors_of(scene_with({"chain", Labels{{"C"}, {0}}}).properties[0],
+                                   colored(scene_with({"chain", Labels{{"C"}, {0}}}), {.order = order}))[0]);
+    for (std::size_t one = 0; one < 2; ++one) EXPECT_TRUE(colors[0] != category_color(one) && colors[2] != category_color(one));
+    // Types as ever.
+    const Scene types = scene_with({"type", std::vector<std::int32_t>{1, 2, 3, 4, 0, -40}});
+    const CategoryOrder two = colored(scene_with({"type", std::vector<std::int32_t>{1, 2}}), {}).order;
+    const std::vector<Color> of_types = colors_of(types.properties[0], colored(types, {.order = two}));
+    for (std::size_t one = 0; one < 4; ++one) EXPECT_EQ(of_types[one], category_color(one));
+    EXPECT_EQ(of_types[4], category_color(category_colors - 3));
+    // Elements stay elements.
+    const CategoryOrder elements = colored(scene_with({"species", Labels{{"C"}, {0}}}), {}).order;
+    const Scene unknown = scene_with({"species", Labels{{"Qq"}, {0}}});
+    EXPECT_EQ(colors_of(unknown.properties[0], colored(unknown, {.order = elements}))[0], (Color{255, 20, 147}));
+}
+
 TEST(Coloring, OfTypesIsByCategoryUnlessAMapIsAskedFor) {
     const Scene scene = scene_with({"type", std::vector<std::int32_t>{2, 10, 2}});
     EXPECT_EQ(names(colored(scene, {})), (std::vector<std::string>{"2 2", "10 1"}));
