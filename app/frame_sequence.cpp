@@ -124,8 +124,8 @@ const LoadedScene& FrameSequence::read(std::int64_t frame) {
     };
     const AppliedLook& look = present_.look;
     settle(look.coloring && !look.coloring->is_category(), knows_range_, [&] {
-        look_.range = look.found_range;
-        return look_.range.has_value();
+        look_.range_of_frames = look.found_range;
+        return look_.range_of_frames.has_value();
     });
     settle(look.coloring && look.coloring->is_category(), knows_order_, [&] {
         if (look.coloring && look.coloring->is_category()) look_.order = look.coloring->order;
@@ -173,9 +173,9 @@ void FrameSequence::prepare(Progress& progress) {
     // While frames are read these are not looked at, which may be on another thread.
     append(shared_, camera_);  // from which the key light comes
     for (int i = 0; options_.scale_bar && i < 3; ++i) append(shared_, middle_[i]);
-    if (look_.range) {
-        append(shared_, look_.range->low);
-        append(shared_, look_.range->high);
+    if (look_.range_of_frames) {
+        append(shared_, look_.range_of_frames->low);
+        append(shared_, look_.range_of_frames->high);
     }
     for (const std::string& name : look_.order ? look_.order->names : std::vector<std::string>())
         shared_ += name + std::string(1, '\0');
@@ -284,7 +284,7 @@ std::string FrameSequence::values_beyond_range() const {
            (others == 0   ? " holds"
             : others == 1 ? " and another hold"
                           : " and " + in_groups(others) + " others hold") +
-           " values beyond " + shortest(look_.range->low) + " to " + shortest(look_.range->high) +
+           " values beyond " + shortest(look_.range_of_frames->low) + " to " + shortest(look_.range_of_frames->high) +
            ", the first frame's range; --range gives another";
 }
 

@@ -78,14 +78,18 @@ AppliedLook apply_look(Scene& scene, const LookOptions& options, const std::stri
     const Property* sizes = options.size_by ? &values_for(scene, *options.size_by, name, has, own_sizes) : nullptr;
     if (colors != nullptr) {
         applied.colored_by = {colors->name, options.map, options.range, options.log, options.order};
+        const bool by_category =
+            is_category(*colors) || (!options.map && !options.range && !options.log && shown_by_category(*colors));
+        if (!options.range && !by_category) applied.colored_by.range = options.range_of_frames;
+        const std::optional<ValueRange>& range = applied.colored_by.range;
         try {
             applied.coloring = coloring_of(scene, *colors, applied.colored_by);
         } catch (const InputError& error) {
             throw InputError(begin + error.what());
         }
         const auto values = applied.coloring->is_category() ? std::nullopt : range_of(*colors, options.log);
-        if (options.range) {
-            const auto [least, greatest] = std::minmax(options.range->low, options.range->high);
+        if (range) {
+            const auto [least, greatest] = std::minmax(range->low, range->high);
             applied.has_values_beyond = values && (values->low < least || values->high > greatest);
         } else {
             applied.found_range = values;

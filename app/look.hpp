@@ -18,11 +18,12 @@ struct LookOptions {
     std::optional<ColorMap> map;          // these three with color_by
     std::optional<ValueRange> range;
     bool log = false;
-    std::optional<CategoryOrder> order;  // that another frame has given
-    std::optional<std::string> size_by;  // a property
-    std::optional<double> scale;         // with size_by; > 0
-    std::optional<RadiiKind> radii;      // not with size_by
-    std::optional<double> radius_scale;  // > 0
+    std::optional<ValueRange> range_of_frames;  // that another frame has given: of numbers, where `range` is none
+    std::optional<CategoryOrder> order;         // that another frame has given
+    std::optional<std::string> size_by;         // a property
+    std::optional<double> scale;                // with size_by; > 0
+    std::optional<RadiiKind> radii;             // not with size_by
+    std::optional<double> radius_scale;         // > 0
 
     bool any() const { return color_by || size_by || radii || radius_scale; }
     bool operator==(const LookOptions&) const = default;

@@ -52,7 +52,7 @@ TEST_F(Farm, PartsShareWhatTheFirstFrameThatHasItGives) {
     folder_.write("camera.toml", "[camera]\neye = [4, 0, -9]\ncenter = [4, 0, -8]\nright = [1, 0, 0]\nup = [0, 1, 0]\n");
     for (const auto& [file, look] : files) {
         folder_.write("a.xyz", file);
-        for (const auto& camera : {std::vector<std::string>{"--fit", "first"}, {"--camera", "camera.toml"}, {"--no-fit"}, {}}) {
+        for (const auto& camera : {std::vector<std::string>{"--camera", "camera.toml"}, {}}) {
             const std::vector<std::string> options = all_words(look, camera);
             expect_done(all_words(options, {"--manifest", "whole.jsonl"}));
             std::string parts;
