@@ -47,6 +47,7 @@ ManifestEntry entry_of(std::string_view line, const std::string& name, std::size
     const std::string place = place_in(name, begin);
     const Json json = Json::parse(line, name, begin);
     ManifestEntry entry;
+    entry.where = place;
     entry.picture = text_of(json, "picture", place);
     entry.frame = required_number(json, "frame", place);
     entry.place = static_cast<std::size_t>(required_number(json, "place", place));
@@ -171,22 +172,29 @@ std::string Manifest::kept_of(std::string_view lines, std::span<const RenderJob>
     for (const RenderJob& job : jobs) {
         if (job.output) wanted.emplace(*job.output, &job);
     }
+    std::set<std::string> current;
     std::string kept;
     for (const ManifestEntry& entry : entries_of(lines, *options_.frames.manifest)) {
         std::string_view line = take_line(lines);
         while (trimmed(line).empty()) line = take_line(lines);
         const std::string picture = entry.picture.value_or("");
         const auto job = wanted.find(picture);
-        if (job != wanted.end()) {
+        if (job == wanted.end()) {
+            // Nobody can make it again, as where the file had more frames once.
+            const auto scene = scene_sums_.find(entry.scene);
+            if (scene != scene_sums_.end() && scene->second != entry.scene_sum) continue;
+        } else {
             if (!is_of(entry, *job->second)) {
                 outdated_.insert(picture);
                 continue;
             }
+            current.insert(picture);
             // What is damaged gets a new line.
             if (!is_whole_png(picture, options_.size.width, options_.size.height) || !known_.insert(picture).second) continue;
         }
         kept += std::string(line) + "\n";
     }
+    std::erase_if(outdated_, [&](const std::string& picture) { return current.contains(picture); });
     return kept;
 }
 
