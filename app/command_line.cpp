@@ -227,8 +227,8 @@ void check(const CLI::App&, CompareOptions& options) {
     if (options.difference == standard_stream) wrong("--diff", "'-'", "a file: standard output has the report");
 }
 
-// The options of `render` by the words of a manifest.
-RenderOptions parse_render(const std::string& scene, const std::vector<std::string>& words) {
+// The options of `render` by the words of a manifest; messages begin with `where` they stand.
+RenderOptions parse_render(const std::string& scene, const std::vector<std::string>& words, const std::string& where) {
     const EndsWithoutMemory ends_without_memory;
     CLI::App app("", "sphereview");
     app.allow_windows_style_options(false);
@@ -241,7 +241,7 @@ RenderOptions parse_render(const std::string& scene, const std::vector<std::stri
         app.parse(reversed);
         check(app, options);
     } catch (const CLI::ParseError& error) {
-        throw InputError("the manifest: " + in_words(app, error));
+        throw InputError(where + in_words(app, error));
     }
     return options;
 }

@@ -48,6 +48,7 @@ ManifestEntry entry_of(std::string_view line, const std::string& name, std::size
     const std::string place = place_in(name, begin);
     const Json json = Json::parse(line, name, begin);
     ManifestEntry entry;
+    entry.where = place;
     entry.picture = text_of(json, "picture", place);
     entry.frame = required_number(json, "frame", place);
     entry.place = static_cast<std::size_t>(required_number(json, "place", place));
@@ -202,8 +203,10 @@ bool Manifest::is_of(const ManifestEntry& entry, const RenderJob& job) {
 
 std::string Manifest::kept_of(std::string_view lines, std::span<const RenderJob> jobs) {
     std::map<std::string, const RenderJob*> wanted;
+    std::set<std::string> scenes;
     for (const RenderJob& job : jobs) {
         if (job.output) wanted.emplace(*job.output, &job);
+        if (job.fault.empty() && !states_.at(job.scene).empty()) scenes.insert(job.scene);
     }
     std::vector<std::string> kept;
     std::map<std::string, std::size_t> kept_at;
@@ -212,7 +215,10 @@ std::string Manifest::kept_of(std::string_view lines, std::span<const RenderJob>
         while (trimmed(line).empty()) line = take_line(lines);
         const std::string picture = entry.picture.value_or("");
         const auto job = wanted.find(picture);
-        if (job != wanted.end()) {
+        if (job == wanted.end()) {
+            // Nobody can make it again, as where the file had more frames once.
+            if (scenes.contains(entry.scene) && sum_of(entry.scene) != entry.scene_sum) continue;
+        } else {
             if (!is_of(entry, *job->second)) {
                 outdated_.insert(picture);
                 continue;
@@ -227,6 +233,7 @@ std::string Manifest::kept_of(std::string_view lines, std::span<const RenderJob>
         kept.emplace_back(line);
     }
     for (const auto& [picture, at] : kept_at) {
+        outdated_.erase(picture);
         if (is_whole_png(picture, options_.size.width, options_.size.height)) {
             known_.insert(picture);
         } else {

@@ -37,6 +37,7 @@ struct PictureSums {
 };
 
 struct ManifestEntry {
+    std::string where{};                   // its line, as messages begin with it
     std::optional<std::string> picture{};  // its file; none: it went into a film
     std::int64_t frame = 0;
     std::size_t place = 0;  // in the sequence, from 0

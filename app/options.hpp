@@ -106,7 +106,8 @@ struct VerifyOptions {
     SampleSize sample;
     std::optional<Backend> backend;  // instead of the one that the pictures are from
     // The options of `render` for a scene, of the words that a manifest has. Throws InputError.
-    RenderOptions (*parse_render)(const std::string& scene, const std::vector<std::string>& words) = nullptr;
+    RenderOptions (*parse_render)(const std::string& scene, const std::vector<std::string>& words,
+                                  const std::string& where) = nullptr;
 };
 
 struct DoctorOptions {

@@ -8,8 +8,10 @@
 #include <set>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
+#include "app/failure.hpp"
 #include "app/frame_sequence.hpp"
 #include "app/manifest.hpp"
 #include "app/options.hpp"
@@ -51,13 +53,6 @@ std::vector<ManifestEntry> sample_of(const std::vector<ManifestEntry>& entries, 
     return sample;
 }
 
-// Throws InputError where the file is not the one that the pictures were made of.
-void require_sum(const std::string& file, const std::string& sum) {
-    const std::string found = sum_of_file(file);
-    if (found == sum) return;
-    throw InputError(file + ": found another file than the pictures were made of: its SHA-256 is " + found + ", expected " + sum);
-}
-
 bool is_here(const std::string& file) {
     if (file_identity(file, FileUse::input).empty()) return true;  // not opened: a FIFO would be waited for
     std::FILE* there = open_file(file, "rb");
@@ -96,62 +91,162 @@ void say_which_are_not_here(const std::vector<ManifestEntry>& entries) {
     say_which(missing, entries.size(), "is not here", "are not here");
 }
 
-// Those of the sequence that none of the entries is of, by the same options: they may have been made by others.
-void say_which_have_no_line(const FrameSequence& sequence, const ManifestEntry& example,
-                            const std::vector<ManifestEntry>& entries) {
-    std::set<std::int64_t> known;
-    for (const ManifestEntry& entry : entries) {
-        if (entry.scene == example.scene && options_of_one(entry) == options_of_one(example)) known.insert(entry.frame);
-    }
-    std::vector<std::string> missing;
-    for (const Shot& shot : sequence.shots()) {
-        if (!known.contains(shot.number)) missing.push_back(example.scene + ", " + std::to_string(shot.number));
-    }
-    say_which(missing, sequence.shots().size(), "has no line", "have no line");
+std::string label_of(const ManifestEntry& entry) {
+    return entry.picture.value_or(entry.scene + ", " + std::to_string(entry.frame));
 }
 
-// Pictures of one scene and one camera by the same options, some of `all` entries.
-ExitCode verify_alike(const std::vector<ManifestEntry>& entries, const std::vector<ManifestEntry>& all, const VerifyOptions& verify,
-                      Progress& progress) {
-    const ManifestEntry& first = entries.front();
-    RenderOptions options = verify.parse_render(first.scene, first.options);
-    if (verify.backend) options.backend = *verify.backend;
-    require_sum(first.scene, first.scene_sum);
-    if (options.fit.camera) {
-        if (!first.camera_sum) throw InputError(first.scene + ": found '--camera' in a manifest, expected 'camera_sha256' with it");
-        require_sum(*options.fit.camera, *first.camera_sum);
-    }
-    std::shared_ptr<FrameSequence> sequence;
-    if (options.frames.several()) {
-        sequence = std::make_shared<FrameSequence>(first.scene, options, progress);
-        say_which_have_no_line(*sequence, first, all);
-        sequence->prepare(progress);
-    }
-    ExitCode worst = ExitCode::done;
-    std::vector<RenderJob> jobs;
-    for (const ManifestEntry& entry : entries) {
-        if (sequence && entry.place >= sequence->shots().size()) {
-            throw InputError(entry.scene + ": found picture " + std::to_string(entry.place) + " in a manifest, expected at most " +
-                             std::to_string(sequence->shots().size() - 1));
+// What is wrong with a line or a scene is said, once, and the others are looked at.
+class Verification {
+public:
+    // `entries` must outlive this, as `verify` must.
+    Verification(const std::vector<ManifestEntry>& entries, const VerifyOptions& verify) : entries_(entries), verify_(verify) {}
+
+    ExitCode run() {
+        std::vector<ManifestEntry> fit;
+        std::vector<std::string> unfit;
+        std::map<MadeOf, Alike> groups;
+        for (const ManifestEntry& entry : entries_) {
+            const auto [group, is_new] = groups.try_emplace(made_of(entry));
+            if (is_new) group->second.options = checked_options(entry);
+            if (group->second.options) {
+                fit.push_back(entry);
+            } else {
+                unfit.push_back(label_of(entry));
+            }
         }
-        if (sequence && entry.frame != sequence->shots()[entry.place].number) {
-            throw InputError(entry.scene + ": found picture " + std::to_string(entry.place) + " with the number " +
-                             std::to_string(entry.frame) + " in a manifest, expected " +
-                             std::to_string(sequence->shots()[entry.place].number));
+        if (!fit.empty()) {
+            for (const ManifestEntry& entry : sample_of(fit, verify_.sample)) {
+                groups.at(made_of(entry)).sample.push_back(entry);
+            }
         }
-        worst = std::max(worst, state_of_file(entry));
-        RenderJob job;
-        job.scene = entry.scene;
-        job.label = entry.picture.value_or(entry.scene + ", " + std::to_string(entry.frame));
-        job.scene_label = entry.scene;
-        job.name = name_in_patterns(entry.scene);
-        job.sequence = sequence;
-        job.shot = entry.place;
-        job.pixels_sum = entry.pixels_sum;
-        jobs.push_back(job);
+        for (const auto& [what, alike] : groups) {
+            if (alike.sample.empty()) continue;
+            try {
+                render(*alike.options, alike.sample);
+            } catch (...) {
+                say_failure(alike.sample.front().scene);
+            }
+        }
+        say_which(unfit, entries_.size(), "cannot be rendered again", "cannot be rendered again");
+        say_which_have_no_line(fit);
+        write_output(std::string(standard_stream),
+                     in_groups(rendered_) + " of " + in_groups(entries_.size()) +
+                         " pictures rendered again: " + (worst_ == ExitCode::done ? "all are equal" : "not all are equal") + "\n");
+        return worst_;
     }
-    return std::max(worst, run_jobs(options, jobs, {}, progress));
-}
+
+private:
+    // Pictures of one scene and one camera by the same options.
+    struct Alike {
+        std::optional<RenderOptions> options{};  // none: they cannot be rendered again
+        std::vector<ManifestEntry> sample{};
+    };
+    // With the sums: manifests may be from before and after a change of a file.
+    using MadeOf = std::tuple<std::string, std::string, std::optional<std::string>, std::vector<std::string>>;
+    static MadeOf made_of(const ManifestEntry& entry) { return {entry.scene, entry.scene_sum, entry.camera_sum, entry.options}; }
+
+    void say_bad_input(const std::string& line) {
+        worst_ = std::max(worst_, ExitCode::bad_input);
+        if (said_.insert(line).second) say(line);
+    }
+
+    // Of what is being thrown.
+    void say_failure(const std::string& scene) {
+        const Failure failure = describe_current_exception(scene);
+        progress_.clear();
+        worst_ = std::max(worst_, failure.code);
+        if (said_.insert(failure.message).second) say(failure.message);
+    }
+
+    // Nothing where the line is wrong, or the scene or the camera is not the file that the picture was made of.
+    std::optional<RenderOptions> checked_options(const ManifestEntry& entry) {
+        try {
+            RenderOptions options = verify_.parse_render(entry.scene, entry.options, entry.where);
+            if (verify_.backend) options.backend = *verify_.backend;
+            require_sum(entry.scene, entry.scene_sum);
+            if (options.fit.camera && !entry.camera_sum) {
+                throw InputError(entry.where + "found '--camera', expected 'camera_sha256' with it");
+            }
+            if (options.fit.camera) require_sum(*options.fit.camera, *entry.camera_sum);
+            return options;
+        } catch (const InputError&) {
+            say_failure(entry.scene);
+            return std::nullopt;
+        }
+    }
+
+    // Throws InputError where the file is not the one that the pictures were made of.
+    void require_sum(const std::string& file, const std::string& sum) {
+        auto found = sums_.find(file);
+        if (found == sums_.end()) found = sums_.emplace(file, sum_of_file(file)).first;
+        if (found->second == sum) return;
+        throw InputError(file + ": found another file than the pictures were made of: its SHA-256 is " + found->second +
+                         ", expected " + sum);
+    }
+
+    // What is wrong with the place, in words; "" where nothing is.
+    static std::string fault_of_place(const ManifestEntry& entry, const std::vector<Shot>& shots) {
+        const std::string found = entry.where + entry.scene + ": found picture " + std::to_string(entry.place);
+        if (entry.place >= shots.size()) return found + " in a manifest, expected at most " + std::to_string(shots.size() - 1);
+        const std::int64_t expected = shots[entry.place].number;
+        if (entry.frame == expected) return "";
+        return found + " with the number " + std::to_string(entry.frame) + " in a manifest, expected " + std::to_string(expected);
+    }
+
+    void render(const RenderOptions& options, const std::vector<ManifestEntry>& sample) {
+        const ManifestEntry& first = sample.front();
+        std::shared_ptr<FrameSequence> sequence;
+        if (options.frames.several()) {
+            sequence = std::make_shared<FrameSequence>(first.scene, options, progress_);
+            for (const Shot& shot : sequence->shots()) expected_[{first.scene, options_of_one(first)}].insert(shot.number);
+            sequence->prepare(progress_);
+        }
+        std::vector<RenderJob> jobs;
+        for (const ManifestEntry& entry : sample) {
+            if (const std::string fault = sequence ? fault_of_place(entry, sequence->shots()) : ""; !fault.empty()) {
+                say_bad_input(fault);
+                continue;
+            }
+            worst_ = std::max(worst_, state_of_file(entry));
+            RenderJob job;
+            job.scene = entry.scene;
+            job.label = label_of(entry);
+            job.scene_label = entry.scene;
+            job.name = name_in_patterns(entry.scene);
+            job.sequence = sequence;
+            job.shot = entry.place;
+            job.pixels_sum = entry.pixels_sum;
+            jobs.push_back(job);
+        }
+        if (jobs.empty()) return;
+        rendered_ += jobs.size();
+        worst_ = std::max(worst_, run_jobs(options, jobs, {}, progress_));
+    }
+
+    // Those of the sequences that none of the entries is of, by the same options: they may have been made by others.
+    void say_which_have_no_line(const std::vector<ManifestEntry>& entries) const {
+        auto missing = expected_;
+        for (const ManifestEntry& entry : entries) {
+            const auto of_these = missing.find({entry.scene, options_of_one(entry)});
+            if (of_these != missing.end()) of_these->second.erase(entry.frame);
+        }
+        for (const auto& [made_of, numbers] : missing) {
+            std::vector<std::string> labels;
+            for (const std::int64_t number : numbers) labels.push_back(made_of.first + ", " + std::to_string(number));
+            say_which(labels, expected_.at(made_of).size(), "has no line", "have no line");
+        }
+    }
+
+    const std::vector<ManifestEntry>& entries_;
+    const VerifyOptions& verify_;
+    Progress progress_{};
+    ExitCode worst_ = ExitCode::done;
+    std::size_t rendered_ = 0;
+    std::set<std::string> said_{};
+    std::map<std::string, std::string> sums_{};  // of the files that were looked at
+    // The numbers of the pictures of a scene by the options of one, whatever the lists of frames.
+    std::map<std::pair<std::string, std::vector<std::string>>, std::set<std::int64_t>> expected_{};
+};
 
 }  // namespace
 
@@ -174,20 +269,7 @@ ExitCode run_verify(const VerifyOptions& options) {
     if (all.empty()) throw InputError(options.manifests.front() + ": found no whole line, expected one for each picture");
     leave_out_twins(all);
     say_which_are_not_here(all);
-    const std::vector<ManifestEntry> entries = sample_of(all, options.sample);
-    // With the sums: manifests may be from before and after a change of a file.
-    using MadeOf = std::tuple<std::string, std::string, std::optional<std::string>, std::vector<std::string>>;
-    std::map<MadeOf, std::vector<ManifestEntry>> groups;
-    for (const ManifestEntry& entry : entries) {
-        groups[{entry.scene, entry.scene_sum, entry.camera_sum, entry.options}].push_back(entry);
-    }
-    Progress progress;
-    ExitCode worst = ExitCode::done;
-    for (const auto& [made_of, alike] : groups) worst = std::max(worst, verify_alike(alike, all, options, progress));
-    write_output(std::string(standard_stream),
-                 in_groups(entries.size()) + " of " + in_groups(all.size()) +
-                     " pictures rendered again: " + (worst == ExitCode::done ? "all are equal" : "not all are equal") + "\n");
-    return worst;
+    return Verification(all, options).run();
 }
 
 }  // namespace sphereview

@@ -16,6 +16,14 @@
 namespace sphereview::test {
 namespace {
 
+// Of all six pictures, and that they are not looked at.
+void expect_said(const Outcome& outcome, const std::string& fault) {
+    EXPECT_EQ(outcome.status, 2) << outcome;
+    EXPECT_TRUE(outcome.errors.starts_with(fault + "\n")) << outcome;
+    EXPECT_TRUE(contains(outcome.errors, "6 of 6 pictures cannot be rendered again: ")) << outcome;
+    EXPECT_EQ(outcome.output, "0 of 6 pictures rendered again: not all are equal\n");
+}
+
 TEST_F(Farm, AManifestSaysWhatPicturesAreMadeOf) {
     expect_done({"--manifest", "made.jsonl", "--view", "30,20"});
     const std::vector<Json> made = lines();
@@ -77,7 +85,49 @@ TEST_F(Farm, AManifestFromBeforeAChangeOfTheSceneIsOfAnotherFile) {
     const std::string now = sha256(folder_.read("a.xyz"));
     const std::string said =
         "a.xyz: found another file than the pictures were made of: its SHA-256 is " + now + ", expected " + old;
-    EXPECT_TRUE(fails(verify({"old.jsonl"}), 2, said));
+    const std::string unfit =
+        " pictures cannot be rendered again: out/0.png; out/1.png; out/2.png; out/3.png; out/4.png; out/5.png\n";
+    // Whatever the sample, it is said of all; the others are rendered.
+    const Outcome both = verify({"old.jsonl", "--sample", "1"});
+    EXPECT_EQ(both.status, 2) << both;
+    EXPECT_EQ(both.errors, said + "\n6 of 12" + unfit);
+    EXPECT_EQ(both.output, "1 of 12 pictures rendered again: not all are equal\n");
+    // No picture is made anew that has a line of the file as it is.
+    folder_.write("made.jsonl", folder_.read("old.jsonl") + folder_.read("made.jsonl"));
+    EXPECT_EQ(farm({"--manifest", "made.jsonl", "--skip-existing", "--verbose"}).errors, "6 of 6 pictures are there already\n");
+    EXPECT_EQ(verify().output, "6 of 6 pictures rendered again: all are equal\n");
+    // Nor is there a line of a frame that the file no longer has.
+    folder_.write("a.xyz",
+                  folder_.read("a.xyz").substr(0, folder_.read("a.xyz").find("H 4") - std::string("2\n\nO 0 0 0\n").size()));
+    expect_done({"--manifest", "made.jsonl", "--skip-existing"});
+    EXPECT_EQ(lines().size(), 3U);
+}
+
+TEST_F(Farm, AManifestIsVerifiedWhateverElseIsWrong) {
+    for (const char* name : {"b.xyz", "c.xyz"}) std::filesystem::copy_file(folder_.path("a.xyz"), folder_.path(name));
+    const Outcome made = render(folder_, {"a.xyz", "b.xyz", "c.xyz", "--frames", "all", "-s", "20x16", "-o", "out/{name}{frame}",
+                                          "--no-sync", "--manifest", "made.jsonl"});
+    ASSERT_EQ(made.status, 0) << made;
+    std::filesystem::remove(folder_.path("a.xyz"));
+    std::string text = folder_.read("made.jsonl");
+    const auto change = [&](const std::string& old, const std::string& changed) {
+        const std::size_t at = text.find(old, text.find("\"b.xyz\""));
+        ASSERT_NE(at, std::string::npos);
+        text.replace(at, old.size(), changed);
+    };
+    change("[\"--size\"", "[\"--json\",\"--size\"");
+    change("\"frame\":4", "\"frame\":5");
+    folder_.write("made.jsonl", text);
+    const Outcome outcome = verify();
+    EXPECT_EQ(outcome.status, 2) << outcome;
+    EXPECT_EQ(outcome.output, "10 of 18 pictures rendered again: not all are equal\n");
+    const std::vector<std::string> said = test::lines(outcome.errors);
+    ASSERT_EQ(said.size(), 5U) << outcome;
+    EXPECT_TRUE(said[0].starts_with("a.xyz: ")) << outcome;
+    EXPECT_EQ(said[1], "made.jsonl:7:1: found '--json', expected options that say what a picture looks like");
+    EXPECT_EQ(said[2], "made.jsonl:11:1: b.xyz: found picture 4 with the number 5 in a manifest, expected 4");
+    EXPECT_TRUE(said[3].starts_with("7 of 18 pictures cannot be rendered again: out/a0.png; ")) << outcome;
+    EXPECT_EQ(said[4], "2 of 6 pictures have no line: b.xyz, 0; b.xyz, 4");
 }
 
 // The fourth picture waits in a pipe while the scene becomes another one.
@@ -217,7 +267,7 @@ TEST_F(Farm, AManifestHasItsFolderAndWholeLines) {
     text = folder_.read("out/made.jsonl");
     for (std::size_t at = 0; (at = text.find("\"a.xyz\"", at)) != std::string::npos;) text.replace(at, 7, "\"/dev/zero\"");
     folder_.write("made.jsonl", text);
-    EXPECT_TRUE(fails(verify(), 2, "/dev/zero: found no regular file, expected one: a device may have no end"));
+    expect_said(verify(), "/dev/zero: found no regular file, expected one: a device may have no end");
 }
 
 // Somebody else may have made it.
@@ -234,16 +284,16 @@ TEST_F(Farm, AManifestCannotMakeVerifyWaitOrDoSomethingElse) {
             other.replace(at, old.size(), changed);
         }
         folder_.write("made.jsonl", other);
-        EXPECT_TRUE(fails(verify(), 2, said)) << changed;
+        expect_said(verify(), said);
     };
     const std::string no_file = "fifo: found no regular file, expected one: a device may have no end";
     expect_refused("\"c.toml\"", "\"fifo\"", no_file);
     expect_refused("\"a.xyz\"", "\"fifo\"", no_file);
     expect_refused("\"" + sha256(folder_.read("c.toml")) + "\"", "null",
-                   "a.xyz: found '--camera' in a manifest, expected 'camera_sha256' with it");
+                   "made.jsonl:1:1: found '--camera', expected 'camera_sha256' with it");
     for (const char* word : {"--help", "-h", "--output", "-o", "-ox", "--manifest", "--json", "--nothing", "SCENE", "--", "x"}) {
         expect_refused("[\"--size\"", std::string("[\"") + word + "\",\"--size\"",
-                       std::string("the manifest: found '") + word + "', expected options that say what a picture looks like");
+                       std::string("made.jsonl:1:1: found '") + word + "', expected options that say what a picture looks like");
     }
 }
 
@@ -284,6 +334,13 @@ TEST_F(Farm, VerifySaysWhatIsMissing) {
     EXPECT_EQ(verify().errors, "4 of 6 pictures have no line: a.xyz, 1; a.xyz, 2; a.xyz, 4; a.xyz, 5\n");
     expect_done({"--manifest", "others.jsonl", "--part", "2/3"});
     EXPECT_EQ(verify({"others.jsonl"}).errors, "2 of 6 pictures have no line: a.xyz, 2; a.xyz, 5\n");
+    // Once, whatever the lists of frames.
+    folder_.write("camera.toml", "[camera]\neye = [0, 0, -9]\ncenter = [0, 0, -8]\nright = [1, 0, 0]\nup = [0, 1, 0]\n");
+    expect_done({"--manifest", "made.jsonl", "--camera", "camera.toml", "--part", "1/2"});
+    const Outcome some = render(folder_, {"a.xyz", "--frames", "0:4", "-s", "20x16", "-o", "out/{frame}.png", "--camera",
+                                          "camera.toml", "--part", "1/2", "--manifest", "others.jsonl"});
+    EXPECT_EQ(some.status, 0) << some;
+    EXPECT_EQ(verify({"others.jsonl"}).errors, "3 of 6 pictures have no line: a.xyz, 1; a.xyz, 3; a.xyz, 5\n");
 }
 
 }  // namespace
