@@ -147,15 +147,7 @@ void FrameSequence::read_alone(std::int64_t frame) {
     require_memory_for_spheres(reader_->name(), count, bytes_to_draw_a_sphere);
     present_ = loaded_from(std::move(data), reader_->name(), reader_->format());
     hide_and_light(present_.scene, changes_);  // what is hidden counts for no range
-    if (look_.any()) {
-        try {
-            present_.look = apply_look(present_.scene, look_, present_.name, present_.property_names);
-        } catch (const InputError& error) {
-            if (frame == shots_.front().frame) throw;
-            const std::string begin = present_.name + ": ";  // as the line does
-            throw InputError(begin + "frame " + std::to_string(frame) + ": " + std::string(error.what()).substr(begin.size()));
-        }
-    }
+    if (look_.any()) present_.look = apply_look(present_.scene, look_, present_.name, present_.property_names);
     color_and_size(present_.scene, changes_);
     present_frame_ = frame;
 }

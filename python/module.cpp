@@ -166,7 +166,7 @@ py::dict read(const std::string& path, std::int64_t frame, std::optional<double>
               const std::optional<std::vector<std::string>>& properties, const LookArguments& look_arguments) {
     if (frame < 0) wrong_argument("frame", std::to_string(frame), "the number of a frame, from 0");
     if (radius && !(*radius > 0.0 && std::isfinite(*radius))) wrong_argument("radius", shortest(*radius), "a number above 0");
-    DataOptions data{frame, radius, virtual_sites, {}};
+    DataOptions data{.frame = frame, .radius = radius, .virtual_sites = virtual_sites};
     if (columns) {
         const auto choices = parse_column_choices(*columns);
         if (!choices) wrong_argument("columns", *columns, column_choices_syntax);

@@ -44,9 +44,8 @@ TEST_F(Farm, PartsShareWhatTheFirstFrameThatHasItGives) {
     } const files[] = {
         {radius, {}},
         {radius, {"--color-by", "radius"}},
-        {numbers + "H 0 0 0 nan\nH 3 0 0 nan\n" + values, {"--color-by", "v"}},
         {"2\n" + words + values, {"--color-by", "v"}},
-        {numbers + "H 0 0 0 nan\nH 3 0 0 nan\n" + values, {"--size-by", "v"}},
+        {numbers + "H 0 0 0 0\nH 3 0 0 -1\n" + values, {"--size-by", "v"}},
         {"2\n" + words + "1\nProperties=species:S:1:pos:R:3:v:S:1\nH 3 0 0 high\n2\n" + words + values, {"--color-by", "v"}},
     };
     folder_.write("camera.toml", "[camera]\neye = [4, 0, -9]\ncenter = [4, 0, -8]\nright = [1, 0, 0]\nup = [0, 1, 0]\n");

@@ -112,13 +112,6 @@ TEST_F(Frames, HaveOneColourForACategory) {
     for (const char* part : {"1/4", "2/4", "3/4", "4/4"}) EXPECT_EQ(colors({"--frames", "all", "--part", part}), all);
 }
 
-TEST_F(Frames, NameTheOneThatLacksAProperty) {
-    folder_.write("v.xyz", "1\nProperties=species:S:1:pos:R:3:v:R:1\nH 0 0 0 1\n1\n\nH 0 0 0\n");
-    const Outcome outcome = render({"v.xyz", "--frames", "all", "-s", "9x9", "--color-by", "v"});
-    EXPECT_EQ(outcome.status, 2) << outcome;
-    EXPECT_TRUE(contains(outcome.errors, "v.xyz: frame 1: found no property 'v', expected ")) << outcome;
-}
-
 TEST_F(Frames, AreNamedByNumber) {
     folder_.write("a.xyz", moving_atom(5));
     expect_done({"a.xyz", "--frames", "1:5:2,-1", "-s", "9x9", "-o", "{frame}.png"});

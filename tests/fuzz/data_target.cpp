@@ -14,7 +14,7 @@ std::string wrong_with(std::string_view bytes, const char* name) {
     const SceneFormat& format = *find_format(name);
     for (std::int64_t frame = 0; frame < (format.has_frames ? 3 : 1); ++frame) {
         SphereData data;
-        DataOptions options{frame, {}, frame != 1};
+        DataOptions options{.frame = frame, .virtual_sites = frame != 1};
         options.all_properties = frame < 2;
         try {
             data = format.read(bytes, "data", options);
