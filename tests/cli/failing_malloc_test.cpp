@@ -1,4 +1,4 @@
-// Allocations of the program fail in turn, alone or with all that follow: every 7th of a command's own, and some of those by which
+// Allocations of the program fail in turn, alone or with all that follow: every 13th of a command's own, and some of those by which
 // the command line is declared, which are the same for all commands. With SPHEREVIEW_EVERY_FAILURE=on (./dev test --long): every
 // single one, both alone and with all that follow.
 #include <gtest/gtest.h>
@@ -33,12 +33,12 @@ protected:
     }
 
     // Whether it fails alone or with all that follow, the program ends with a documented status and has a line to say why.
-    void expect_good_ends(const std::vector<std::string>& arguments, int usual_status = 0, int step_of_declarations = 67) {
+    void expect_good_ends(const std::vector<std::string>& arguments, int usual_status = 0, int step_of_declarations = 131) {
         const bool every = std::getenv("SPHEREVIEW_EVERY_FAILURE") != nullptr;
         const int declarations = every ? 0 : allocations_of({"render", "--nonsense"}, 2);
         const int all = every ? last : allocations_of(arguments, usual_status) + 50;  // not always as many
         int told = 0;
-        for (int number = 1; number <= all; number += every ? 1 : number < declarations ? step_of_declarations : 7) {
+        for (int number = 1; number <= all; number += every ? 1 : number < declarations ? step_of_declarations : 13) {
             for (const bool on : {false, true}) {
                 if (!every && on != (number % 2 == 0)) continue;
                 const Outcome outcome = without(number, on, arguments);
