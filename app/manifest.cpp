@@ -203,10 +203,10 @@ bool Manifest::is_of(const ManifestEntry& entry, const RenderJob& job) {
 
 std::string Manifest::kept_of(std::string_view lines, std::span<const RenderJob> jobs) {
     std::map<std::string, const RenderJob*> wanted;
-    std::set<std::string> scenes;
+    std::set<std::string> scenes(options_.scenes.begin(), options_.scenes.end());  // a part may have no picture of one
     for (const RenderJob& job : jobs) {
         if (job.output) wanted.emplace(*job.output, &job);
-        if (job.fault.empty() && !states_.at(job.scene).empty()) scenes.insert(job.scene);
+        if (!job.fault.empty() || states_.at(job.scene).empty()) scenes.erase(job.scene);
     }
     std::vector<std::string> kept;
     std::map<std::string, std::size_t> kept_at;
