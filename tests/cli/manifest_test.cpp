@@ -77,6 +77,14 @@ TEST_F(Farm, AManifestSaysWhatPicturesAreMadeOf) {
     EXPECT_EQ(verify().status, 2);
 }
 
+TEST_F(Farm, APartWithoutPicturesKeepsNoLineOfTheFileAsItWas) {
+    expect_done({"--part", "6/6", "--manifest", "made.jsonl"});
+    EXPECT_FALSE(folder_.read("made.jsonl").empty());
+    folder_.write("a.xyz", moving_atom(3));
+    expect_done({"--part", "6/6", "--manifest", "made.jsonl", "--skip-existing"});
+    EXPECT_EQ(folder_.read("made.jsonl"), "");
+}
+
 TEST_F(Farm, AManifestFromBeforeAChangeOfTheSceneIsOfAnotherFile) {
     expect_done({"--manifest", "old.jsonl"});
     const std::string old = sha256(folder_.read("a.xyz"));
