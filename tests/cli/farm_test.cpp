@@ -48,7 +48,7 @@ TEST_F(Farm, PartsShareWhatTheFirstFrameThatHasItGives) {
         {numbers + "H 0 0 0 0\nH 3 0 0 -1\n" + values, {"--size-by", "v"}},
         {"2\n" + words + "1\nProperties=species:S:1:pos:R:3:v:S:1\nH 3 0 0 high\n2\n" + words + values, {"--color-by", "v"}},
     };
-    folder_.write("camera.toml", "[camera]\neye = [4, 0, -9]\ncenter = [4, 0, -8]\nright = [1, 0, 0]\nup = [0, 1, 0]\n");
+    folder_.write("camera.toml", "[camera]\neye = [2, 0, 6]\ncenter = [2, 0, 2]\nright = [2, 0, 0]\nup = [0, 2, 0]\n");
     for (const auto& [file, look] : files) {
         folder_.write("a.xyz", file);
         for (const auto& camera : {std::vector<std::string>{"--camera", "camera.toml"}, {}}) {
