@@ -102,8 +102,7 @@ Json probe_gl(Backend backend, const std::function<std::unique_ptr<GlContext>()>
     return result;
 }
 
-// These render a small scene and check every pixel: {"works": true, "renderer", ...limits}. They throw RenderError where that does
-// not work.
+// Each probe renders a small scene, checks every pixel and returns {"works": true, "renderer", ...limits}, or throws RenderError.
 Json probe_cpu() {
     OpenBackend cpu;
     const Image picture = render_test(cpu);
@@ -165,8 +164,8 @@ std::chrono::milliseconds in_milliseconds(double seconds) {
     return std::chrono::milliseconds(static_cast<long long>(seconds * 1000.0));
 }
 
-// Probes in another process of the program, so that a driver that hangs or crashes ends only that one; where there can be none, in
-// this one.
+// Probes in a child process, so that a driver that hangs or crashes ends the child alone. Where no child can be started, probes in
+// this process.
 Json probe_apart(const std::string& name, double timeout_seconds) {
     const std::string culprit = name == "cpu" ? "the CPU renderer" : "the driver";
     const auto limit = in_milliseconds(timeout_seconds);

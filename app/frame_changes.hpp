@@ -1,4 +1,4 @@
-// What a person has changed in one frame of a file, for all of its frames.
+// What a person changed in one frame of a file, for all of its frames.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace sphereview {
 
-// Of the sphere with that number; what is not said stays as it is.
+// A change of one sphere. Empty fields stay as they are.
 struct SphereChange {
     std::uint32_t number = 0;
     std::optional<bool> hidden{};
@@ -24,7 +24,7 @@ struct SphereChange {
 };
 
 struct FrameChanges {
-    // By number, ascending, for each frame that has a sphere of that number, however many others it has.
+    // By number, ascending. A change holds in each frame that has a sphere of that number.
     std::vector<SphereChange> spheres{};
     std::map<std::uint32_t, std::string> names{};  // "": none any more
     // For all frames.
@@ -35,20 +35,20 @@ struct FrameChanges {
 
     bool operator==(const FrameChanges&) const = default;
     bool any() const { return !spheres.empty() || !names.empty() || background || camera || light || views; }
-    // Whether a frame of so many spheres lacks some that were changed.
+    // Whether a frame of `size` spheres lacks some of the changed spheres.
     bool go_beyond(std::size_t size) const;
-    // Takes from `others` what they have for spheres that a frame of so many lacks; this has nothing for those.
+    // Adds those changes of `others` whose spheres a frame of `size` spheres lacks. Must have no changes of such spheres before.
     void add_beyond(std::size_t size, const FrameChanges& others);
 };
 
-// In what the frame differs from what it was; its places are its own. Of as many spheres in the same order.
+// How `after` differs from `before`, places apart. Both have the same number of spheres in the same order.
 FrameChanges changes_between(const Scene& before, const Scene& after);
 
-// Those of the spheres that a frame of so many has.
+// The changes of those spheres that a frame of `size` spheres has.
 std::span<const SphereChange> changes_within(const FrameChanges& changes, std::size_t size);
 
-// Each makes its part of what pictures show of the changes, by a camera and before a background of their own: the first before the
-// look, whose ranges count no hidden spheres, the other after it.
+// Apply the changes that pictures show; pictures have a camera and a background of their own. hide_and_light() comes before the
+// look, whose ranges leave hidden spheres out, and color_and_size() after it.
 void hide_and_light(Scene& frame, const FrameChanges& changes);
 void color_and_size(Scene& frame, const FrameChanges& changes);
 

@@ -82,7 +82,7 @@ void say_which(const std::vector<std::string>& some, std::size_t all, const std:
         joined(first_of(some, most_named), "; "));
 }
 
-// They may be elsewhere: that is no difference.
+// Names pictures that are missing. A missing picture may be elsewhere, so it does not count as different.
 void say_which_are_not_here(const std::vector<ManifestEntry>& entries) {
     std::vector<std::string> missing;
     for (const ManifestEntry& entry : entries) {
@@ -223,7 +223,7 @@ private:
         worst_ = std::max(worst_, run_jobs(options, jobs, {}, progress_));
     }
 
-    // Those of the sequences that none of the entries is of, by the same options: they may have been made by others.
+    // Names frames of the sequences that no entry has. Another part's manifest may have them.
     void say_which_have_no_line(const std::vector<ManifestEntry>& entries) const {
         auto missing = expected_;
         for (const ManifestEntry& entry : entries) {

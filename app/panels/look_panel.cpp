@@ -16,10 +16,10 @@ namespace sphereview {
 namespace {
 
 constexpr std::size_t most_used = 16;
-// As LookPanelState::size_by has them, which no property is called; in the order of RadiiKind.
+// Values of LookPanelState::size_by beside names of properties; no property has such a name. In the order of RadiiKind.
 constexpr std::array<const char*, 3> radii_words = {"covalent radii", "van der Waals radii", "ionic radii"};
 
-// Those spheres alone that get another value: an edit keeps what was there before.
+// An edit of the spheres that `change` gives another value. The others are left out, because an edit keeps the former values.
 template <typename Change>
 ChangeSpheres changed(const Scene& scene, const Change& change) {
     ChangeSpheres edit;

@@ -1,4 +1,4 @@
-// What panels are given and what they give back: they change nothing themselves.
+// What panels are given and what they give back. Panels change nothing themselves.
 #pragma once
 
 #include <imgui.h>
@@ -48,11 +48,11 @@ struct MeasureSphere {
 struct ShowView {
     Camera camera;
 };
-// What the file holds of each sphere is read, where that is not done yet.
+// Reads the properties of the scene's file, unless they are read already.
 struct RequestProperties {};
-// Of the pixel inspector's pixels.
+// What to do with the pixels of the pixel inspector.
 enum class InspectorWish { pin, unpin, compare, copy, copy_second };
-// Shows the pixel of a picture of that size in the inspector, and holds it there.
+// Pins a pixel of a picture of that size in the inspector.
 struct PinPixel {
     Pixel pixel;
     PictureSize size;
@@ -60,7 +60,7 @@ struct PinPixel {
 using Action = std::variant<EditScene, SelectSpheres, RunCommand, OpenFile, ShowFrame, MeasureSphere, ShowView, RequestProperties,
                             InspectorWish, PinPixel>;
 
-// Where the widgets of a redraw were drawn, by name, in screen coordinates: what tests aim a mouse at.
+// Where a redraw drew its widgets, by name, in screen coordinates. Tests aim the mouse at these.
 struct WidgetRectangle {
     float left = 0.0F;
     float top = 0.0F;
@@ -80,46 +80,45 @@ struct Rectangle {
 struct PanelContext {
     const Document& document;
     const Selection& selection;
-    const SceneBounds& bounds;               // what drags of numbers are scaled by: of the scene, but still during a drag
+    const SceneBounds& bounds;               // the scene's; constant during a drag, whose speed depends on them
     std::span<const CommandInfo> commands;   // as they are now, in the order of the menus
-    float scale = 1.0F;                      // sizes that are not text are times this
+    float scale = 1.0F;                      // of sizes that are not text
     std::uint64_t& gesture;                  // the number of the current drag; whoever begins one adds 1
     std::optional<std::uint32_t>& hovered;   // the sphere under the pointer, in the picture or in the list
     std::vector<Action>& actions;            // what is to be done after all panels are drawn, in order
     WidgetRectangles* rectangles = nullptr;  // collected when not null
-    std::int64_t frame = 0;                  // of the scene's file, which has several where `frames` is not 1
+    std::int64_t frame = 0;                  // number of the frame that is shown, of `frames` in the scene's file
     std::int64_t frames = 1;
-    Light light{};      // as the picture shows it: the scene's, or what the command line asks for instead
+    Light light{};      // the picture's: the scene's, or what the command line asks for instead
     CameraAxes view{};  // of the view
-    Camera camera{};    // the view's own; beside the rays that of the drawn eye
-    // Of what the file holds of each sphere; the scene has those alone that were read (RequestProperties).
+    Camera camera{};    // the view's; when the rays are seen from beside, that of the drawn eye
+    // All properties that the file has. The scene holds those that were read (RequestProperties).
     std::span<const std::string> property_names{};
 };
 
-// Notes a rectangle, or that of ImGui's last widget, where `rectangles` are collected.
+// Note a rectangle, or the one of ImGui's last widget or current window, where `rectangles` are collected.
 void note_rectangle(const PanelContext& context, const std::string& name, ImVec2 low, ImVec2 size);
 void note_widget(const PanelContext& context, const std::string& name);
-// That of the window that is drawn into.
 void note_window(const PanelContext& context, const std::string& name);
 
-// Whether the scene has a sphere of that number: what is drawn may be of the scene before.
+// Whether the scene has a sphere of that number. A number may come from the picture of an earlier scene.
 inline bool has_sphere(const Scene& scene, std::int64_t number) { return number >= 0 && number < std::ssize(scene.spheres); }
 // A sphere's name; "" where it has none.
 std::string name_of(const Scene& scene, std::uint32_t number);
-// A sphere in words: "sphere 3", or "sphere 3 'sun'" of one with a name; and these, as fits: "1,234 spheres".
+// A sphere in words, "sphere 3" or "sphere 3 'sun'"; several spheres: "1,234 spheres".
 std::string title_of(const Scene& scene, std::int64_t number);
 std::string title_of(const Scene& scene, const std::vector<std::uint32_t>& numbers);
 
 // Hides the spheres if any of them is shown, else shows them.
 EditScene hide_or_show(const Scene& scene, const std::vector<std::uint32_t>& numbers);
 
-// Text from outside as ImGui gets it: safe, on one line or on its own, and no longer than ImGui can draw, which is some 16,000
-// characters.
+// Text from outside, made safe for ImGui, as one line or with its own lines, and shorter than the 16,000 characters that ImGui can
+// draw.
 inline constexpr std::size_t most_shown = 2000;
 inline std::string shown_text(std::string_view text) { return on_one_line(composed(text), most_shown); }
 inline std::string shown_lines(std::string_view text) { return on_lines(composed(text), most_shown); }
 
-// For a label, in which ImGui takes "##" for the end of what is shown.
+// `text` as a label: ImGui would show nothing behind a "##" in it.
 std::string as_label(std::string_view text);
 
 }  // namespace sphereview

@@ -1,5 +1,5 @@
-// What the edits of a frame mean to the other frames of its file: colours, radii, names, what is hidden, and what concerns the
-// whole scene go along; places, and which spheres there are, are this frame's own.
+// What the edits of a frame mean to the other frames of its file. Changes of colours, radii, names, hidden spheres and of the whole
+// scene hold in all frames. Moved, added and deleted spheres change their own frame alone.
 #pragma once
 
 #include <cstddef>
@@ -19,53 +19,51 @@ struct ViewerState;
 
 // What the viewer remembers of the edits of frames.
 struct FrameEdits {
-    FrameChanges shared{};                  // of the frames that were shown before
-    std::optional<FrameChanges> redone{};   // what that would be if all was redone that is undone and can be: where it is another
-    std::shared_ptr<const Scene> before{};  // the frame that is shown, without edits; null while it has none. No properties
-    EditsReach judged = EditsReach::none;   // of this revision of the document
+    FrameChanges shared{};                  // made in the frames that were shown before
+    std::optional<FrameChanges> redone{};   // `shared` after every possible redo, where that differs
+    std::shared_ptr<const Scene> before{};  // the shown frame without edits and properties; null without edits
+    EditsReach judged = EditsReach::none;   // at `judged_revision` of the document
     std::uint64_t judged_revision = 0;
-    std::uint64_t given_revision = 0;  // of the document that has got what is shared and no edit of its own
-    std::uint64_t numbers_order = 0;   // the document's order_revision() in which an undone reload gave numbers as in `before` back
-    bool outdated = false;             // the file has the frame otherwise by now: a reload was undone
+    std::uint64_t given_revision = 0;  // the document with the shared changes and no edit of its own
+    std::uint64_t numbers_order = 0;   // order_revision() at which an undone reload restored the numbers of `before`
+    bool outdated = false;             // the file's frame is another by now: a reload was undone
 };
 
-// Of the reloads of the file that undo and redo can reach: what the frames' edits are on the other side of each. The first `done`
-// of them are not undone.
+// For each reload of the file that undo and redo can reach, the frames' edits on its other side. The first `done` reloads are not
+// undone.
 struct EditsBeyondReloads {
     std::vector<FrameEdits> edits{};
     std::size_t done = 0;
 };
 
-// To be called before an edit of the document, which may give spheres other numbers: remembers what the frame was.
+// Remembers the frame without edits. Call before each edit of the document; `renumbers`: the edit gives spheres other numbers.
 void note_frame_before_edit(ViewerState& state, bool renumbers);
 
-// What the edits of the frame that is shown apply to, those included that it got from others.
+// What the edits of the shown frame apply to, including the edits that it got from other frames.
 EditsReach reach_of_edits(ViewerState& state);
 
-// Whether a sphere's number means here what it means in the file, so that what was changed by number holds in other frames.
+// Whether each sphere still has its number of the file, so that changes by number hold in other frames.
 bool has_numbers_of_file(const ViewerState& state);
 
-// What the frame that is shown shares with all others: what it got from them included, and what they have for spheres that it
+// The changes that the shown frame shares with all others, including those that it got from them and those of spheres that it
 // lacks.
 FrameChanges shared_edits_now(ViewerState& state);
 
-// Whether some of that is for spheres that the frame that is shown lacks: the window has it, and no scene that is saved of this
-// frame.
+// Whether some shared changes are of spheres that the shown frame lacks. A saved scene of this frame would not have these changes.
 bool lacks_edited_spheres(const ViewerState& state);
 
-// The frame that is shown is about to be replaced by what its file holds now, which has nothing of the edits: notes how they are,
-// for who undoes that.
+// Notes the edits, for a later undo, before the shown frame is read from its file again, which has none of them.
 void note_edits_before_reload(ViewerState& state, const Scene& reloaded);
-// That is to be undone, or redone, by `step`: so are the edits of all frames.
+// Undoes or redoes such a reload by `step`, and with it restores the edits of all frames.
 void cross_reload(ViewerState& state, bool undoes, const std::function<void()>& step);
 
-// The frame that is shown, as it was read, becomes a scene that was kept of it, as a step that can be undone.
+// Replaces the shown frame, as it was read, by the scene that was kept of it, as a step that can be undone.
 void apply_recovered(ViewerState& state, Scene kept, bool has_numbers);
 
-// Another frame, of so many spheres, is about to be shown, and the document to be replaced: takes along what the present one
-// shares, and what it would share if what is undone was redone. Leaves the document in any state.
+// Collects the shared changes of the document, and those that a redo would bring back, before a frame of `next_size` spheres
+// replaces the document. Leaves the document in an undefined state.
 void take_shared_edits(ViewerState& state, std::size_t next_size);
-// Another frame is the document now: it gets what was taken along, as a step that can be undone, and one that can be redone.
+// Applies the collected changes to the new frame, as a step that can be undone, and one that can be redone.
 void give_shared_edits(ViewerState& state);
 
 }  // namespace sphereview

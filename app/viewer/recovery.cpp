@@ -60,7 +60,7 @@ public:
         if (!now_.lock.holds()) now_.lock = FileLock(lock_of(now_.file));
         return now_.file;
     }
-    // That copy is written: it has what earlier ones of as many spheres have, and fewer.
+    // The current copy is written. Earlier copies that are complete up to the same sphere, or fewer, are superseded.
     void note_written(std::size_t complete_up_to) {
         const std::lock_guard guard(mutex_);
         now_.complete_up_to = complete_up_to;

@@ -1,4 +1,4 @@
-// Unsaved edits that survive the end of the program, in the platform's folder for such things.
+// Unsaved edits that survive the end of the program, in base/user_folders.hpp's state_folder().
 #pragma once
 
 #include <atomic>
@@ -20,7 +20,7 @@ namespace sphereview {
 
 struct ViewerState;
 
-// A frame of a file of several, as that was when the frame was read.
+// Which frame of a file was edited, and the state of the file when the frame was read.
 struct EditedFrame {
     std::int64_t number = 0;
     std::int64_t file_size = 0;  // bytes
@@ -30,7 +30,7 @@ struct EditedFrame {
     bool operator==(const EditedFrame&) const = default;
 };
 
-// That frame of the file as it is; nothing where there is no regular file.
+// Frame `number` with the file's present state; nothing where there is no regular file.
 std::optional<EditedFrame> edited_frame(const FileStates& file, std::int64_t number, bool has_numbers);
 
 // The file that was being edited.
@@ -51,19 +51,19 @@ struct Recovery {
 
 inline constexpr std::size_t all_spheres = std::numeric_limits<std::size_t>::max();
 
-// Keeps the scene for a later run, whole or not at all, instead of what this process kept before. False when that cannot be
-// done; for emergencies, so it throws nothing. The scene has the changes of spheres below the number `complete_up_to` alone: what
-// was kept of more of them stays beside it, as a recovery of its own, until a scene is kept that has as many.
+// Keeps the scene for a later run, whole or not at all, in place of what this process kept before. False on failure. The scene
+// lacks changes of spheres from the number `complete_up_to` on. A copy that has more of these changes stays beside it, as a
+// recovery of its own, until a scene as complete is kept.
 bool write_recovery(const Scene& scene, const EditedFile& original, std::size_t complete_up_to = all_spheres) noexcept;
 
-// What processes that no longer run have kept, the newest first. Whether one still runs is told by the lock that it holds: the
-// system lets go of the lock when the process ends, however it ends.
+// What processes that have ended kept, the newest first. A running process holds a lock on its recovery; the system releases the
+// lock when the process ends, however it ends.
 std::vector<Recovery> list_recoveries();
 
-// What a person is told of it: whatever the file holds, one line.
+// The recovery in one line for a person, whatever the file holds.
 std::string in_words(const Recovery& recovery);
 
-// What may be left behind or may be a running process's: nothing tells where the file system cannot lock.
+// Recoveries on file systems that cannot lock: their process may still run.
 std::vector<std::string> unclear_recoveries();
 
 // False when the file is still there afterwards.
@@ -77,29 +77,29 @@ class Autosave {
 public:
     using Clock = std::chrono::steady_clock;
 
-    // Call when nothing moves. Keeps the changes once they are some seconds old; the longer that took the last time, the later, so
-    // that it never takes more than a small part of the time; from a copy, beside the loop. Forgets what is kept as soon as nothing
-    // is unsaved. `original` is what the document is of.
+    // Call when nothing moves. Keeps changes that are some seconds old, from a copy, beside the loop. The longer the last write
+    // took, the longer the pause, so that writing takes a small part of the time. Forgets what is kept as soon as nothing is
+    // unsaved. `original`: the file of the document.
     void look(const Document& document, const EditedFile& original, Clock::time_point now);
 
-    // What is being written is on the disk, or has failed, when this returns.
+    // Waits until the write in progress is on the disk or has failed.
     void finish();
 
-    // Keeps the changes at once. False when that cannot be done; it is not tried again before the next change.
+    // Keeps the changes at once. False on failure; look() then tries again after the next change.
     bool keep(const Document& document, const EditedFile& original);
 
-    // Begins to keep the changes, if they are not kept: what is read next may end the program. They are kept once what this
-    // returns, if it is anything, has ended.
+    // Begins to keep changes that are not kept yet, before something is read that may end the program. They are kept when the
+    // returned job, if any, has ended.
     std::shared_ptr<const BackgroundJob> keep_before_reading(const Document& document, const EditedFile& original);
 
-    // The document is another frame of the same file now. If that lacks spheres which were changed in others, what is kept has them
-    // and stays: alone, until this document changes, then beside what is kept of it.
+    // Call when the document has become another frame of the same file. If this frame lacks spheres that were changed in others,
+    // the kept copy stays: alone until the document changes, then beside the document's own copy.
     void shows_frame(const Document& document, bool lacks_changed_spheres);
 
-    // As the program ends, when nothing is being written: without a thread or a copy. False when the changes cannot be kept.
+    // Keeps the changes as the program ends, without a thread or a copy. Nothing may be being written. False on failure.
     bool keep_at_end(const Document& document, const EditedFile& original) const;
 
-    // When look() has something to do that no input announces.
+    // When to call look() although no input comes.
     std::optional<Clock::time_point> due() const { return due_; }
 
 private:
@@ -107,10 +107,10 @@ private:
 
     std::optional<Clock::time_point> due_;
     Clock::duration pause_ = shortest_pause;
-    std::uint64_t tried_ = 0;                   // the revision of the last attempt,
-    std::uint64_t instead_of_ = 0;              // or of the frame instead of which what is kept stays
+    std::uint64_t tried_ = 0;                   // the revision of the last attempt
+    std::uint64_t instead_of_ = 0;              // the revision of a frame for which an earlier copy stays
     bool kept_ = false;                         // there may be a recovery file of ours
-    std::size_t complete_up_to_ = all_spheres;  // the document, as write_recovery() has it
+    std::size_t complete_up_to_ = all_spheres;  // of the document, for write_recovery()
     // Of the last copy that was written; the job's thread sets them.
     struct Written {
         std::atomic<bool> done = false;
@@ -125,12 +125,11 @@ private:
     static constexpr Clock::duration look_again = std::chrono::milliseconds(250);  // while a job runs
 };
 
-// Keeps what is not saved for the next start, as the program ends unasked, and says what became of it, for a message; "" when there
-// is nothing.
+// Keeps unsaved changes when the program ends unasked. Returns a message about the outcome; "" when nothing is unsaved.
 std::string keep_unsaved(const ViewerState& state);
 
-// The same by another thread than that of the loop, which hangs. Should the loop go on meanwhile, it changes nothing until the
-// process has ended. Nothing when the loop is in the middle of a change for longer than that.
+// The same from another thread while the loop hangs. The loop, should it go on, can change nothing more. Nothing when the loop
+// stays in the middle of a change for longer than `limit`.
 std::optional<std::string> keep_unsaved_of_hung_loop(ViewerState& state, std::chrono::milliseconds limit);
 
 }  // namespace sphereview

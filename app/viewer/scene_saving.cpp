@@ -116,7 +116,7 @@ void ask_where_to_save(ViewerState& state, SceneFormat format, const std::functi
     state.dialogs.push_back(std::move(browser));
 }
 
-// It may take hours.
+// Quitting must not lose a film that may have taken hours.
 void ask_about_film(ViewerState& state) {
     ask(state, {.id = "film-is-made",
                 .title = "Quit without the film?",

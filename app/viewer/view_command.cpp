@@ -29,7 +29,7 @@ namespace sphereview {
 
 namespace {
 
-// For the handler of a lost connection, which is given nothing.
+// on_connection_lost() gets no argument and reads this.
 ViewerState* open_state = nullptr;
 
 constexpr std::chrono::milliseconds patience_without_window{300};
@@ -38,7 +38,7 @@ constexpr std::chrono::seconds patience{2};  // with a window that does not act 
 constexpr std::chrono::seconds patience_with_disk{20};  // from a signal to the end of the process, whatever hangs
 constexpr const char* disk_hangs = "sphereview: the folder of unsaved changes does not answer; the last ones may be lost";
 
-// What is said when the loop hangs while it changes the document, so that nobody else can read that.
+// The message when the loop hangs while it changes the document, which no other thread can read then.
 constexpr const char* hangs_in_change =
     "sphereview: does not answer; the unsaved changes that were kept last are offered by the next start";
 

@@ -186,7 +186,7 @@ bool Viewer::update_picture(int step, double patience) {
 
 bool Viewer::refine_picture() {
     const int before = picture_.step();
-    // After one that is hardly a picture comes one that takes little of the time of the fine one.
+    // A very coarse picture is first refined to every 4th pixel, which takes little time beside the fine picture.
     update_picture(before > 8 ? 4 : 1, Pacing::refine_budget);
     if (picture_.step() != before || before == 1) return true;
     pacing_.refined_a_part();

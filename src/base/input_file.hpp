@@ -32,30 +32,31 @@ public:
 
     // How messages call it: the path as given, or "stdin".
     const std::string& name() const { return name_; }
-    // Of a regular file, when it was opened; some, as in /proc, hide it, and that of a packed text is not known.
+    // A regular file's size in bytes when it was opened. Nothing for a packed text, and where the system hides the size, as in
+    // /proc.
     std::optional<std::size_t> size() const { return size_; }
-    // Which part of a packed regular file was unpacked, 0..1; nothing of other files.
+    // The part of a packed regular file that was unpacked so far, 0..1; nothing for other files.
     std::optional<double> unpacked_part() const;
     // Whether `path` leads to a regular file, which another stream can read from the beginning.
     bool is_regular() const { return !may_be_endless_; }
 
-    // The window: what was read and not dropped.
+    // The window: the bytes that were read and not dropped.
     std::string_view bytes() const { return {data_.get() + begin_, end_ - begin_}; }
     // Whether nothing follows the window.
     bool ended() const { return ended_; }
 
     void drop_first(std::size_t count);
-    // The place nearest before `offset`, in bytes of the text, from which a regular file can be read: of a packed text one that was
-    // passed and remembered, or its beginning.
+    // The nearest place before `offset` from which a regular file can be read, in bytes of the text. In a packed text these are the
+    // remembered places and the beginning.
     std::uint64_t nearest_before(std::uint64_t offset) const;
     // Empties the window and goes on at a place that nearest_before() gives. Throws InputError.
     void go_to(std::uint64_t place);
-    // From now on remembers places of a packed text, and goes to these: `places` are none or those that were remembered of the file
-    // before. Nothing for other files.
+    // From now on remembers places of a packed text, for go_to(). `places`: those that an earlier reader of the file remembered, if
+    // any. Does nothing for other files.
     void remember_places(GzipPlaces places = GzipPlaces());
-    // Those; null where they are not remembered.
+    // The remembered places; null where none are remembered.
     const GzipPlaces* places() const { return places_.get(); }
-    // From now on called with the bytes read in all, at least every 4 MB; what it throws ends the reading.
+    // From now on calls `watcher` with the number of bytes read so far, at least every 4 MB. What it throws ends the reading.
     void watch(std::function<void(std::size_t)> watcher) { watcher_ = std::move(watcher); }
     // Reads on until the window holds `most` bytes or the input ends. What bytes() gave before is void. Throws InputError,
     // also when a packed text is damaged or expands too far, and MemoryError when the window cannot fit.

@@ -134,7 +134,7 @@ void keep_finding(const FindingKind& kind, const FileStamp& stamp, const std::st
         write_regular_file(text_from(file), std::string(head) + sha256(bytes) + bytes, Durability::in_system);
         remove_oldest(kind);
     } catch (const std::exception&) {
-        // The next run looks for it again.
+        // Not kept: the next run searches again.
     }
 }
 
@@ -143,7 +143,7 @@ void forget_finding(const FindingKind& kind, const FileStamp& stamp, const std::
         std::error_code ignored;
         fs::remove(finding_file(kind, stamp, question), ignored);
     } catch (const std::exception&) {
-        // It counts for nothing then.
+        // A damaged finding that stays is not used.
     }
 }
 
