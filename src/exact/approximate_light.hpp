@@ -10,7 +10,7 @@
 
 namespace sphereview {
 
-// How many of some points lie in a sphere's shadow, as far as can be told.
+// How many of some points lie in a sphere's shadow.
 enum class Shadow : std::uint8_t { none, unsure, all };
 
 // Where a pixel's ray hits the sphere that it shows.

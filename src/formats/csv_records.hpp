@@ -1,4 +1,4 @@
-// The records of a table in text, one after the other (RFC 4180, and what else programs put between fields).
+// The records of a table in text, one after the other: RFC 4180, and other separators that programs use.
 #pragma once
 
 #include <algorithm>
@@ -14,11 +14,11 @@
 namespace sphereview {
 
 struct CsvField {
-    std::string_view text;  // without the blanks around it, or without its quotes: inside the file's text
+    std::string_view text;  // without surrounding blanks or quotes; points into the file's text
     bool quoted = false;    // then "" in it stands for one quote
 };
 
-// `text` of the field with each "" as one quote.
+// The field's text, with each "" as one quote.
 inline std::string unquoted(const CsvField& field) {
     if (!field.quoted) return std::string(field.text);
     std::string text;
@@ -34,10 +34,10 @@ inline std::string unquoted(const CsvField& field) {
 struct CsvLayout {
     char separator = ',';  // a blank: any run of blanks and tabs
     char line_end = '\n';
-    bool comments = true;  // lines that begin with #, % or // are none of the table's
+    bool comments = true;  // lines that begin with #, % or // are left out
 };
 
-// The mark that makes a line, which has no blanks in front, a comment; "" for other lines.
+// The mark of a comment that `line` begins with, behind no blanks; "" for other lines.
 inline std::string_view comment_mark(std::string_view line) {
     if (line.empty()) return "";
     if (line[0] == '%' || (line[0] == '#' && !line.starts_with("#N/A"))) return line.substr(0, 1);  // Excel's for a missing number
@@ -47,8 +47,8 @@ inline std::string_view comment_mark(std::string_view line) {
 // Reads one record after the other. Blank lines and comments are passed over. A field in quotes may hold anything, line ends too.
 class CsvRecords {
 public:
-    // Reads the records that begin in [begin, end); a record begins at `begin`. Of one with more than `most_fields`, which its
-    // reader refuses, it reads one more than these and no further.
+    // Reads the records that begin in [begin, end); a record begins at `begin`. Reads at most `most_fields` + 1 fields of a record:
+    // the caller refuses a longer one.
     CsvRecords(const TextSource& source, const CsvLayout& layout, std::size_t begin, std::size_t end, std::size_t most_fields)
         : source_(source),
           layout_(layout),
@@ -58,10 +58,10 @@ public:
           end_(end),
           most_fields_(most_fields) {}
 
-    // False when there is none; the fields are valid until the next call. Throws InputError where quotes are wrong.
+    // False at the end. The fields are valid until the next call. Throws InputError where quotes are wrong.
     bool next() { return in_runs_ ? next_record<true>() : next_record<false>(); }
 
-    // The same, and false where quotes are wrong: comments may hold some that nothing closes.
+    // The same, but false where quotes are wrong: a comment may hold a quote that nothing closes.
     bool try_next() {
         try {
             return next();
@@ -167,7 +167,7 @@ private:
         return end;
     }
 
-    // As fast as an array: the fields of earlier records make room.
+    // Reuses the room of earlier records' fields: as fast as an array.
     void put(const char* begin, const char* end, bool quoted) {
         if (count_ == fields_.size()) fields_.resize(2 * count_ + 16);
         fields_[count_++] = {{begin, static_cast<std::size_t>(end - begin)}, quoted};
@@ -186,7 +186,7 @@ private:
     std::size_t next_;
     std::size_t end_;
     std::size_t most_fields_;
-    std::vector<CsvField> fields_{};  // of the record the first count_
+    std::vector<CsvField> fields_{};  // the record's are the first count_
     std::size_t count_ = 0;
     const char* record_end_ = nullptr;
 };

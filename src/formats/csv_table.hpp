@@ -1,4 +1,4 @@
-// What a table in text is: what divides it, which of its columns are drawn, and where its rows begin.
+// A table in text: its separator, the columns that are drawn, and where its rows begin.
 #pragma once
 
 #include <cstddef>
@@ -17,9 +17,9 @@
 
 namespace sphereview {
 
-// A column that nothing drawn is made of.
+// A column that is not drawn.
 struct CsvPassedOver {
-    std::string name;  // of its property, where it is one
+    std::string name;  // of its property, if it is one
     std::size_t place;
 };
 
@@ -28,17 +28,17 @@ struct CsvTable {
     std::size_t fields = 0;  // of each record
     CsvColumns columns{};
     std::size_t begin = 0;                     // of the first row
-    bool has_header = true;                    // else what the columns are is a guess
-    bool guessed_places = false;               // rows alone say where x and y are
+    bool has_header = true;                    // else the columns are guessed
+    bool guessed_places = false;               // x and y were found by the rows alone
     Commas commas = Commas::none;              // in numbers
-    double full_color = color_max;             // what the first rows show: what stands for 255 in red, green and blue
-    bool packed_colors = false;                // a colour is one whole number, else hexadecimal
-    bool atom_names = false;                   // the column of elements holds the names of atoms, as PDB has them
-    std::optional<std::size_t> residue{};      // where these have their residues; else all are of amino acids
+    double full_color = color_max;             // what stands for 255 in red, green and blue, by the first rows
+    bool packed_colors = false;                // a colour is one whole number; else hexadecimal
+    bool atom_names = false;                   // the column of elements holds PDB's names of atoms
+    std::optional<std::size_t> residue{};      // the column of these atoms' residues; else all are amino acids
     std::vector<CsvPassedOver> passed_over{};  // the other columns
-    std::vector<std::size_t> rare{};           // ascending: those of them that have no value in the first rows
+    std::vector<std::size_t> rare{};           // ascending: the passed-over columns without a value in the first rows
     std::vector<PropertyColumn> properties{};  // all but places, colours and names
-    ColumnNames row_of_units{};                // by the header's names; empty where there is no such row
+    ColumnNames row_of_units{};                // below the header; empty where there is none
     CsvUnits units{};
 };
 
@@ -49,20 +49,20 @@ inline CsvRecords rows_from(const TextSource& source, const CsvTable& table, std
     return CsvRecords(source, table.layout, begin, source.text.size(), table.fields + 1);
 }
 
-// Whether the record has numbers, or marks for none, where x and y are, of which each must have a place.
+// Whether the record has a number, or a mark for a missing one, in x and in y, which `columns` must have.
 bool is_row(const CsvRecords& record, const CsvColumns& columns);
 
 inline constexpr std::size_t csv_rows_looked_at = 1000;
 
-// Looks at the first rows for what a header does not say: which of the columns hold colours and elements, how numbers are written,
-// and what there is beside that. `first`: the field that names[0] names.
+// Finds in the first rows what a header does not say: which columns hold colours and elements, how numbers are written, and which
+// properties there are. `first`: the field of names[0].
 void look_at_first_rows(const TextSource& source, const ColumnNames& names, std::size_t first,
                         const std::vector<ColumnChoice>& choices, CsvTable& table);
 
-// Finds the table in a text: behind titles and comments, with a header or rows of numbers alone. Throws InputError.
+// Finds the table in a text, behind titles and comments, with or without a header. Throws InputError.
 CsvTable find_csv_table(const TextSource& source, const std::vector<ColumnChoice>& choices);
 
-// Whether a text that begins with `head` is clearly a table with places: no other format's text looks like it.
+// Whether a text that begins with `head` is clearly a table with places: no other format looks like this.
 bool is_clearly_csv(std::string_view head);
 
 }  // namespace sphereview

@@ -1,4 +1,4 @@
-// The units of lengths in a table: those of its radii need not be those of its places.
+// The units of lengths in a table. Radii and places may have different units.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,14 @@ namespace sphereview {
 struct CsvTable;
 
 struct CsvUnits {
-    int power = 0;        // 10 to it is the unit of radii in that of places
-    std::string words{};  // where the two differ: what was done about it
+    int power = 0;        // one unit of radii is 10^power units of places
+    std::string words{};  // a message for the user where the units differ
 
     // Rounds once: the power of ten itself is exact.
     double in_unit_of_places(double radius) const;
 };
 
-// Looks at the names in the header and at the row of units below it. `first`: the field that names[0] names.
+// Reads the units from the header's names and the row of units. `first`: the field of names[0].
 CsvUnits find_units(const ColumnNames& names, std::size_t first, const CsvTable& table);
 
 }  // namespace sphereview

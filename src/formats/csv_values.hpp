@@ -1,4 +1,4 @@
-// What the fields of tables hold, as programs write it.
+// Values in the fields of tables, as programs write them.
 #pragma once
 
 #include <cstdint>
@@ -10,46 +10,44 @@
 
 namespace sphereview {
 
-// Whether text is what stands in a field that holds nothing: nothing, or what programs write for it ("nan", "NA", "#N/A").
+// Whether a field holds no value: it is empty, or has a word for that ("nan", "NA", "#N/A").
 bool is_missing(std::string_view text);
 
-// Whether text that is no number, by that fault, says that there is none: is_missing(), or what else is read as not finite, such as
-// "nan(0x7)". A number beyond a double's range is not missing: the place that it stands for is unknown.
+// Whether a field that failed to parse with `fault` means a missing value: is_missing(), or something else not finite, such as
+// "nan(0x7)". A number beyond double's range is not missing.
 bool stands_for_none(std::string_view text, NumberFault fault);
 
-// What commas in numbers are.
+// What commas in numbers mean.
 enum class Commas {
     none,
-    decimal,   // 1,5 is one and a half
-    thousands  // 1,234 is a thousand and more
+    decimal,   // 1,5 is 1.5
+    thousands  // 1,234 is 1234
 };
 
-// A number as tables have them, also with the exponents of parse_any_double(), no-break spaces and Unicode's minus.
+// Parses a table's number, also with the exponents of parse_any_double(), no-break spaces and Unicode's minus.
 NumberFault parse_csv_number(std::string_view text, Commas commas, double& value);
 
-// "#ff8000", "0xff8000", "#f80" or, of at least six digits, "ff8000", in any letter case; what stands for alpha behind it is passed
+// "#ff8000", "0xff8000", "#f80" or, with at least six digits, "ff8000", in any letter case. An alpha behind the colour is passed
 // over.
 std::optional<Color> parse_hex_color(std::string_view text);
 
-// Whether only a colour is written so: with a mark before it.
+// Whether the text has a mark that only a colour has: "#" or "0x".
 bool has_hex_mark(std::string_view text);
 
-// One whole number for red, green and blue, 65536 r + 256 g + b, as PCL and Java write it; what stands for alpha above is passed
-// over.
+// A colour as one whole number, 65536 r + 256 g + b, as PCL and Java write it. An alpha above it is passed over.
 std::optional<Color> parse_packed_color(std::string_view text);
 
-// What stands for 255 in colours of which `largest` is the largest number, and of which no more is known: 1, 255 or, in 16 bits,
-// 65535.
+// What most likely stands for 255 in colours whose largest number is `largest`: 1, 255 or, in 16 bits, 65535.
 double full_color(double largest);
 
-// No number of a colour is larger.
+// The largest number that a colour may have.
 inline constexpr double most_of_color = 65535.0;
 
-// A number of a colour as its byte; nothing for what is none, or clearly above `full`, which is what stands for 255.
+// A channel's number as a byte, where `full` stands for 255; nothing if the number is not a channel's or clearly above `full`.
 std::optional<std::uint8_t> color_byte(double value, double full);
 
-// A field of such a number as its byte: 255, or 0.5 and 65535, of which `largest` becomes the largest; also 100% and 0xff, which
-// mean the same whatever `full` is.
+// A channel's field as a byte: a number such as 255 or 0.5, which may raise `largest`; also 100% and 0xff, which do not depend on
+// `full`.
 std::optional<std::uint8_t> parse_color_byte(std::string_view text, double full, double& largest);
 
 }  // namespace sphereview

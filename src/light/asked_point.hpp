@@ -1,4 +1,4 @@
-// One point of a picture, and what lights are asked of it: in double, in 106 bits, and in integers where these are not enough.
+// Decides for one point of a picture whether lights reach it: in double, then in 106 bits, then in integers.
 #pragma once
 
 #include <cstdint>
@@ -10,18 +10,18 @@
 
 namespace sphereview {
 
-// Keeps what questions have in common: for a point of which much is asked.
+// Keeps what several questions about one point have in common.
 class AskedPoint {
 public:
-    // Of the sphere that the pixel shows. `side`: the eye's. `place`: of the point, where one is known better than double finds it.
-    // `in_integers`: counts the questions that need integers; may be null. What is passed in must outlive it.
+    // `sphere`: the one that the pixel shows. `side`: the eye's. `place`: the point's, if known better than double finds it.
+    // `in_integers`: counts the questions that need integers; may be null. The references must outlive this object.
     AskedPoint(const HitPlaces& places, Pixel pixel, const Sphere& sphere, EyeSide side,
                const std::optional<HitPlace>& place = std::nullopt, std::int64_t* in_integers = nullptr);
 
     // Whether the normal, turned to the eye, is less than a right angle from the light's direction.
     bool faces(const glm::dvec3& direction);
 
-    // Whether another sphere, outside of which the eye lies, keeps the light from the point.
+    // Whether `other`, which must not contain the eye, keeps the light from the point.
     bool blocked(const Sphere& other, const glm::dvec3& direction);
 
 private:
@@ -33,7 +33,7 @@ private:
     const Sphere& sphere_;
     EyeSide side_;
     HitPlace place_;
-    std::optional<ApproximateLitPoint> approximate_;  // once it was asked for, and below
+    std::optional<ApproximateLitPoint> approximate_;  // made when first needed, as exact_
     std::optional<ExactLitPoint> exact_;
     std::int64_t* in_integers_;
 };

@@ -1,4 +1,4 @@
-// Whether lights shine on what a pixel shows, and which spheres keep them away, and why.
+// Explains which lights shine on what a pixel shows, and which spheres block the others.
 #pragma once
 
 #include <cstdint>
@@ -16,27 +16,27 @@
 
 namespace sphereview {
 
-// A pixel inside the picture that a camera sees, and the sphere that it shows.
+// A pixel of a camera's picture, and the sphere that the pixel shows.
 struct LitPixel {
     const Scene& scene;
-    const DrawnSpheres& drawn;  // as the camera sees them
+    const DrawnSpheres& drawn;  // by this camera
     const Camera& camera;
     PictureSize size;
     Pixel pixel;
     std::int32_t visible;
 };
 
-// The lights of a picture with one point a pixel as people number them: 0 is the sun, and the sky's begin at 1, in the order in
-// which they are added.
+// The lights of a picture with one point a pixel, numbered for people: 0 is the sun, and the sky's begin at 1, in the order of
+// their sum.
 class NumberedLights {
 public:
     NumberedLights(const Light& light, std::size_t spheres, const Camera& camera);
 
     std::span<const DirectedLight> sky() const { return std::span(lights_).subspan(first_ == 0 ? 1 : 0); }
     bool has(int number) const { return number >= first_ && static_cast<std::size_t>(number - first_) < lights_.size(); }
-    // Of a light that there is.
+    // The light must exist.
     const DirectedLight& at(int number) const { return lights_[static_cast<std::size_t>(number - first_)]; }
-    // The sun; without one the sky's light that is nearest to the key light, which is its strongest. None where there is no light.
+    // The sun, or without a sun the sky's strongest light, nearest to the key light. Nothing where there is no light.
     std::optional<int> main() const;
     // "0 (the sun) or 1 to 256".
     std::string numbers_in_words() const;
@@ -70,19 +70,19 @@ struct ExplainedLight {
 };
 ExplainedLight explain_light(const LitPixel& pixel, const NumberedLights& lights, int number);
 
-// What becomes of many lights.
+// How many of many lights shine, and what blocks the others.
 struct SkyExplanation {
     struct Blocker {
         std::int32_t number = 0;
-        int lights = 0;  // that it keeps away, perhaps with others
+        int lights = 0;  // that it blocks, perhaps with other spheres
     };
 
     int lights = 0;
     int shining = 0;
     int behind = 0;                 // n.L <= 0
     int blocked = 0;                // the others
-    LightVector sum;                // of those that shine
-    std::vector<Blocker> blockers;  // those that keep most lights away, the worst first
+    LightVector sum;                // of the shining lights
+    std::vector<Blocker> blockers;  // the spheres that block most lights, the worst first
 };
 
 SkyExplanation explain_sky(const LitPixel& pixel, std::span<const DirectedLight> lights);
@@ -90,14 +90,14 @@ SkyExplanation explain_sky(const LitPixel& pixel, std::span<const DirectedLight>
 // "37 of 64 lights shine; ..."
 std::string in_words(const SkyExplanation& explanation);
 
-// What there is to say of the light on a pixel.
+// All explanations of the light on a pixel.
 struct PixelLights {
     std::optional<ExplainedLight> main;  // NumberedLights::main()
     std::optional<SkyExplanation> sky;   // unless there is none, or it would take too long
-    std::optional<LightVector> sum;      // of all lights that shine, the pixel's B, unless that would take too long
+    std::optional<LightVector> sum;      // of all shining lights, the pixel's B, unless it would take too long
 };
 
-// `most_lines`: as many lines from the point to a light may be tried against a sphere for the sky, some 80 nanoseconds each.
+// `most_lines`: bound on the tests of a line to a light against a sphere, some 80 nanoseconds each.
 PixelLights explain_lights(const LitPixel& pixel, const NumberedLights& lights,
                            std::size_t most_lines = std::numeric_limits<std::size_t>::max());
 

@@ -1,4 +1,4 @@
-// The square of the plane perpendicular to a light that holds all points of a picture, cut into tiles. docs/light.md, "Lists for a
+// The plane perpendicular to a light: a square of it around all points of a picture, cut into tiles. docs/light.md, "Lists for a
 // light".
 #pragma once
 
@@ -25,23 +25,23 @@ public:
         : side_(side), half_(1.001F * farthest + 0x1p-20F), to_tiles_(static_cast<float>(side) / (2.0F * half_)) {}
 
     std::size_t side() const { return side_; }
-    // Of the square's edge.
+    // Half of the square's edge.
     float half() const { return half_; }
     float tile_width() const { return 2.0F * half_ / static_cast<float>(side_); }
 
-    // The row or column of a coordinate; of one outside that of the edge. Never decreases with the coordinate, whatever rounds: so
-    // ranges from one to another miss no tile between.
+    // The row or column of a coordinate; outside the square, the one at the edge. Never decreases with the coordinate, despite
+    // rounding, so a range of tiles misses none between.
     std::size_t tile(float coordinate) const {
         const float place = (coordinate + half_) * to_tiles_;
         if (!(place > 0.0F)) return 0;
         return std::min(place < 4096.0F ? static_cast<std::size_t>(static_cast<int>(place)) : side_, side_ - 1);
     }
 
-    // Of a tile among all, row by row.
+    // The tile's place among all, row by row.
     std::size_t index(float x, float y) const { return tile(y) * side_ + tile(x); }
 
-    // Calls each(row, first, last) for rows of tiles, each once, with the range of columns: together they hold every tile in which
-    // a point of the disc lies.
+    // Calls each(row, first, last) once for each row of tiles, with a range of columns. These tiles include every tile that the
+    // disc touches.
     template <typename Each>
     void for_each_touched(const PlaneDisc& disc, const Each& each) const {
         const std::size_t bottom = tile(disc.y - disc.radius);
@@ -53,7 +53,7 @@ public:
             return;
         }
         const float width = tile_width();
-        // A row's edges may round by less than this.
+        // A row's edges are rounded by less than this.
         const float room = 0x1p-19F * half_;
         for (std::size_t row = bottom; row <= top; ++row) {
             const float low = static_cast<float>(row) * width - half_ - room;
@@ -66,8 +66,8 @@ public:
         }
     }
 
-    // Calls each(row, first, end) for rows of tiles, with the range of columns: every point of such a tile lies in the disc. Small
-    // discs cover none.
+    // Calls each(row, first, end) for rows of tiles, with a range of columns. These tiles lie in the disc as a whole. Small discs
+    // cover none.
     template <typename Each>
     void for_each_covered(const PlaneDisc& disc, const Each& each) const {
         const float width = tile_width();

@@ -18,12 +18,12 @@
 
 namespace sphereview {
 
-// How a picture is shown while lights are still being added. Each preview has the light of the first lights.
+// Previews of a picture while lights are still being added.
 struct LightPreviews {
-    // Is given the light of each point, as light() returns it, and which part of the sky's brightness is missing, 0..1.
+    // Gets the light of each point, as light() returns it, and the missing part of the sky's brightness, 0..1.
     std::function<void(std::span<const LightVector>, double missing)> show;
-    // Whether the sky is made as strong as it will be with all lights, so that nothing is missing: the picture gets finer and no
-    // brighter. Few lights have hard shadows then.
+    // Whether the lights so far are scaled to the strength of all, so that nothing is missing: the picture then gets finer, not
+    // brighter, and first previews have hard shadows.
     bool as_bright = true;
     std::size_t fewest = 0;     // lights before the first
     double first_after = 0.02;  // seconds of adding lights
@@ -33,15 +33,13 @@ struct LightPreviews {
 // The light of one picture, or of the points of its pixels.
 class Lighting {
 public:
-    // `size`: in points, `side` of them along the side of a pixel. `drawn` is as the camera sees it. What is passed in must outlive
-    // it.
+    // `size`: in points, `side` of them along the side of a pixel. `drawn`: by this camera. The references must outlive this
+    // object.
     Lighting(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size, int side, const Light& light);
 
-    // The light of each point of a block, row by row, from its visible spheres (scene numbers or visible_background); zero where
-    // there is none. The sum of the shares of the lights that shine there; its product with the normal is the brightness. Calls
-    // progress() now and then, from this thread, with the part that is done, 0..1. Previews are of pictures with one point a pixel
-    // only. `kept` is given what was found, if that fits; it was begun with the sets of lights. `counts` is told how much there was
-    // to do.
+    // The light of each point of a block, row by row: the sum of the shares of the lights that shine there; zero on the background.
+    // `visible`: scene numbers or visible_background. Calls progress() with the finished part, 0..1, from this thread. Previews
+    // need one point a pixel. `kept`, begun with sets(), gets the result if that fits. `counts` gets the amount of work.
     std::vector<LightVector> light(const Block& block, std::span<const std::int32_t> visible,
                                    const std::function<void(double)>& progress = nullptr, const LightPreviews* previews = nullptr,
                                    KeptLight* kept = nullptr, LightCounts* counts = nullptr) const;
@@ -51,7 +49,7 @@ public:
     const std::vector<DirectedLight>& lights(int set) const { return sets_[static_cast<std::size_t>(set)]; }
 
 private:
-    // Points that lie near each other, as LitPoints have them, with what floats tell of the spheres from there.
+    // Points that lie near each other, and the spheres relative to them in float.
     struct PointGroup {
         explicit PointGroup(const HitPlaces& hit_places) : places(hit_places) {}
 
@@ -71,7 +69,7 @@ private:
     PictureSize size_;
     int side_;
     SpatialGrid grid_;
-    std::vector<std::uint32_t> order_;  // of the drawn spheres' indices, in space
+    std::vector<std::uint32_t> order_;  // the drawn spheres' indices, by spatial_order()
     std::vector<EyeSide> sides_;        // the eye's, by number
     std::vector<std::vector<DirectedLight>> sets_;
 };

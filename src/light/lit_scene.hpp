@@ -1,4 +1,4 @@
-// What the lights of a picture have in common, and what is counted while they are decided.
+// The data that all lights of a picture share, and counts of the work.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,7 @@
 
 namespace sphereview {
 
-// How much there was to do. `doubts`: questions that float left open, of a point or some points and a sphere. `in_integers`: those
-// of them that 106 bits left open, too.
+// The amount of work. `doubts`: questions that float left open. `in_integers`: questions that 106 bits left open, too.
 struct LightCounts {
     std::int64_t points_facing = 0;
     std::int64_t tests = 0;
@@ -37,7 +36,7 @@ struct LightCounts {
 struct LitScene {
     const Scene& scene;
     const DrawnSpheres& drawn;
-    std::span<const std::uint32_t> order;  // of the drawn spheres' indices, and of the blockers
+    std::span<const std::uint32_t> order;  // the order of the blockers: the drawn spheres' indices
     const HitPlaces& places;
     std::span<const EyeSide> sides;  // the eye's, by number
     const Block& block;
@@ -53,7 +52,7 @@ struct LitScene {
     std::int32_t number(std::size_t point) const { return visible[static_cast<std::size_t>(points.places[point])]; }
     const Sphere& sphere(std::int32_t number) const { return scene.spheres[static_cast<std::size_t>(number)]; }
     EyeSide side(std::int32_t number) const { return sides[static_cast<std::size_t>(number)]; }
-    // A point to ask about. `counts`: counts the questions that need integers.
+    // The point, to be asked about lights. Counts questions that need integers in `counts`.
     AskedPoint asked(std::size_t point, LightCounts& counts) const {
         const std::int32_t own = number(point);
         const auto found = std::ranges::lower_bound(points.unknown, point);
@@ -65,7 +64,7 @@ struct LitScene {
     }
 };
 
-// A bit for each of some points in a row, 64 in a word, the first in the lowest.
+// A bit for each point of a range, 64 in a word, the first in the lowest bit.
 class PointBits {
 public:
     static constexpr std::size_t in_word = 64;

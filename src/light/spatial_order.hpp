@@ -1,5 +1,5 @@
-// An order in which spheres that are near each other come near each other: whatever is done for one sphere after the other, in
-// tiles of any light's plane, then finds the tile in the processor's cache.
+// An order in which spheres near each other in space follow each other. Work on one sphere after the other then finds the tiles of
+// any light's plane in the processor's cache.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ public:
 
     SpatialGrid(const Scene& scene, const DrawnSpheres& drawn);
 
-    // The number of the cell that a centre lies in, in Morton's order: below `cells`.
+    // The number of a centre's cell in Morton's order, below `cells`.
     std::uint32_t cell(const glm::dvec3& center) const;
 
 private:

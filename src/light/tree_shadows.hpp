@@ -1,5 +1,5 @@
-// Shadows on the points of a tree, for which lists of discs do not do: of spheres that float cannot hold, or on points of which it
-// knows too little.
+// Shadows that lists of discs cannot decide: those of spheres that float cannot hold, and those on points that float knows too
+// little about.
 #pragma once
 
 #include <cstddef>
@@ -13,11 +13,11 @@
 
 namespace sphereview {
 
-// Asks ball by ball which spheres shadow all of a ball's points, and only about the others, ball within ball and point by point.
-// Reuses its memory, and remembers the last sphere that was in the way, from light to light.
+// Asks of each ball which spheres surely shade all of its points or none, and of the balls and points within only about the other
+// spheres. Reuses its memory from light to light, and first tries the last sphere that was in the way.
 class TreeShadows {
 public:
-    // Takes the light from those of the tree's points that have it in `lit` and lie in the shadow of one of the spheres.
+    // Clears the bits in `lit` of the tree's points that lie in the shadow of one of the spheres.
     void darken(const LitScene& lit_scene, const PointTree& tree, std::span<const std::int32_t> spheres,
                 const glm::dvec3& direction, PointBits& lit, LightCounts& counts);
 
@@ -29,12 +29,12 @@ private:
         PointBits& lit;
         LightCounts& counts;
     };
-    // Of the points in one ball, by the spheres of spheres_ from `first` on.
+    // Does so for one ball, with the spheres of spheres_ from `first` on.
     void darken(const Asked& asked, std::size_t level, std::size_t ball, std::size_t first);
     void darken_points(const Asked& asked, std::span<const std::uint32_t> points, std::size_t first);
 
-    std::vector<std::int32_t> spheres_;  // numbers of those of which not all is sure, ball in ball
-    std::int32_t last_blocker_ = -1;     // the number of a sphere that may well keep the light from the next points, too
+    std::vector<std::int32_t> spheres_;  // numbers of the spheres left for each ball within a ball
+    std::int32_t last_blocker_ = -1;     // number of the sphere that blocked last: likely to block again
 };
 
 }  // namespace sphereview
