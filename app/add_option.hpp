@@ -1,4 +1,4 @@
-// Declaring options to CLI11: each in one place, with what --help says and what a message says that its value should have been.
+// Declares options to CLI11, each in one place: its field, its check, its words in --help and in messages.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -17,7 +17,7 @@
 
 namespace sphereview {
 
-// How an option is called, what --help says of it and its value, and what a message says that its value should have been.
+// An option's names, the type and help for --help, and the expected value for messages.
 struct Words {
     std::string names;
     std::string type;
@@ -25,7 +25,7 @@ struct Words {
     std::string expected;
 };
 
-// Declares an option. `read` gives the field's value for a text, or nothing for a text that makes no sense.
+// Declares an option. `read` gives the field's value for a text, or nothing for a wrong text.
 template <typename Field, typename Read>
 CLI::Option* add_option(CLI::App& command, Field& field, const Words& words, Read read) {
     const std::string name = words.names.substr(words.names.find(',') + 1);
@@ -51,7 +51,7 @@ CLI::Option* add_flag(CLI::App& command, Field& field, const std::string& name, 
     return command.add_flag_callback(name, set, help);
 }
 
-// The whole text as a number from `least` to the type's largest.
+// The number that the whole text is, from `least` to the type's largest.
 template <typename Number>
 std::optional<Number> whole_number(std::string_view text, Number least) {
     Number number{};

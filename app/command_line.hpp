@@ -1,4 +1,4 @@
-// The command line as typed -> what is to be done.
+// The command line as typed -> the command to run.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,7 @@
 
 namespace sphereview {
 
-// Does a command; returns the exit status, or throws before it has done anything.
+// Runs a command; returns the exit status, or throws before it has done anything.
 using Run = std::function<ExitCode()>;
 
 // Reads the command line and SPHEREVIEW_BACKEND. Throws InputError with one line that says what is wrong.

@@ -1,5 +1,5 @@
-// What stands below the options in --help, and what packages say of the command line, written from the declarations of
-// command_line.cpp alone.
+// The texts below the options in --help; the manual page and completions, which are written from the declarations in
+// command_line.cpp.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -59,7 +59,7 @@ inline constexpr const char* doctor_examples =
     "  sphereview doctor\n"
     "  sphereview doctor --json | jq .\n";
 
-// What messages say that the value of an option should be: completions offer files or folders for these.
+// Expected values in messages. Completions offer files or folders for these.
 inline constexpr const char* a_file = "the name of a file";
 inline constexpr const char* a_folder = "a folder";
 
@@ -77,8 +77,8 @@ std::string man_page(const CLI::App& app, const std::string& program_and_version
 // The shells that completion_script() knows.
 std::vector<std::string> completion_shells();
 
-// A script that completes commands, options and their values in that shell; "" for a shell that is not known. Without an end of
-// line behind the last line. Forgets the values of options.
+// A script that completes commands, options and their values in that shell; "" for an unknown shell. Without an end of line behind
+// the last line. Clears the values of options.
 std::string completion_script(CLI::App& app, const std::string& shell);
 
 }  // namespace sphereview

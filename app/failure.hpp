@@ -1,12 +1,12 @@
-// What a person is told of an error, and the exit status it gives.
+// The message and the exit status for an error.
 #pragma once
 
 #include <string>
 
 namespace sphereview {
 
-// The program's exit statuses, as documented in --help and the README. Of several the highest counts; 128 + signal when interrupted
-// (base/interrupt.hpp).
+// The program's exit statuses, documented in --help and docs/command-line.md. Of several the highest counts; 128 + signal when
+// interrupted (base/interrupt.hpp).
 enum class ExitCode : int {
     done = 0,
     differs = 1,      // the picture differs from the expected one
@@ -20,11 +20,11 @@ struct Failure {
     std::string message;  // one line, or a shader's log; safe to print
 };
 
-// Translates the exception being handled; call inside a catch. `scene` is the one that was being rendered, if any: errors that do
-// not name a file of their own begin with it.
+// Translates the exception being handled; call inside a catch. `scene`: the scene being rendered, if any, which begins messages
+// that name no file.
 Failure describe_current_exception(const std::string& scene = "");
 
-// Says that memory ran out, and ends the program: a handler for `new` where nothing catches it.
+// Says that memory ran out and ends the program: a handler for `new`, where nothing catches exceptions.
 [[noreturn]] void end_without_memory();
 
 }  // namespace sphereview

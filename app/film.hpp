@@ -1,4 +1,4 @@
-// Pictures that become one film.
+// Makes one film of several pictures.
 #pragma once
 
 #include <chrono>
@@ -18,41 +18,42 @@
 
 namespace sphereview {
 
-// The program that makes films, as a shell would find it; "" where there is none.
+// The path of ffmpeg, found in PATH; "" where there is none.
 std::string find_film_encoder();
 
-// What that program says of itself.
+// Which films ffmpeg can make here.
 struct FilmEncoder {
     std::string program{};
     std::vector<std::string> endings{};  // of the films that it makes
-    std::vector<std::string> lacks{};    // ".mp4 (libx264)": the endings of others, and the encoder that they need
-    std::string fault{};                 // why it makes none
+    std::vector<std::string> lacks{};    // ".mp4 (libx264)": other endings and the missing encoder
+    std::string fault{};                 // why it makes no film; else ""
 };
 FilmEncoder ask_film_encoder(std::chrono::milliseconds limit);
 
 class Film {
 public:
-    // On standard output, uncompressed (image/y4m.hpp), or, where the options name a file, by ffmpeg, beside the file until
-    // finish(). `pictures`: how many there will be, for messages. Throws RenderError where there is no ffmpeg.
+    // Writes to the options' file by ffmpeg, under a hidden name until finish(); without a file, uncompressed to standard output
+    // (image/y4m.hpp). `pictures`: how many there will be, for messages. Throws RenderError where there is no ffmpeg.
     Film(const FilmOptions& options, Durability durability, std::size_t pictures);
-    // Leaves nothing of a film that is not finished.
+    // Removes an unfinished film.
     ~Film();
     Film(const Film&) = delete;
     Film& operator=(const Film&) = delete;
 
-    // Each throws OutputError, and Cancelled where the film was given up. begin() makes the file, once whoever may give it up can.
+    // Each throws OutputError, and Cancelled after give_up(). begin() makes the file; the other thread must be able to call
+    // give_up() by then.
     void begin();
     void add(const Image& picture);
     void finish();
 
-    // Whether it goes to standard output.
+    // Whether the film goes to standard output.
     bool is_streamed() const { return !options_.movie; }
     // For the thread that adds pictures.
     bool is_finished() const { return finished_; }
-    // "out.mp4: not written; 3 of 10 pictures were done". For the thread that adds pictures, or who has given up the film.
+    // "out.mp4: not written; 3 of 10 pictures were done". Call from the thread that adds pictures, or after give_up().
     std::string how_far() const;
-    // From another thread: ends the encoder and leaves nothing of the film. The thread that adds pictures waits for as long as what
-    // is returned lives. That holds no lock where it is too late: the film gets its name just now, or has it.
+    // From another thread: ends the encoder and removes the film. The thread that adds pictures waits while the returned lock is
+    // held. The lock is not held if it is too late: the film has its name, or is getting it.
     [[nodiscard]] std::unique_lock<std::mutex> give_up();
 
 private:
@@ -72,11 +73,11 @@ private:
     std::mutex mutex_{};  // held where another thread may give up
 };
 
-// A film that a command makes, while this lives: an interruption leaves nothing of it, and says how many pictures were done, as
-// does the end of this where the film is not finished. One at a time.
+// While this lives, an interruption removes the film of a command and says how many pictures were done; so does the destructor, if
+// the film is not finished. One at a time.
 class InterruptibleFilm {
 public:
-    // Begins the film. Throws as that does.
+    // Begins the film. Throws as Film::begin().
     explicit InterruptibleFilm(Film& film);
     ~InterruptibleFilm();
     InterruptibleFilm(const InterruptibleFilm&) = delete;

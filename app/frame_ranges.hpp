@@ -1,4 +1,4 @@
-// Which pictures of a trajectory, or around a scene, are rendered.
+// The options that say which pictures of a trajectory, or around a scene, are rendered.
 #pragma once
 
 #include <cstdint>
@@ -17,22 +17,22 @@ struct FrameRange {
     std::optional<std::int64_t> first{};
     std::optional<std::int64_t> last{};
     std::int64_t step = 1;
-    bool is_single = false;  // `first` alone, which must be there
+    bool is_single = false;  // `first` alone, which must exist
 
     bool operator==(const FrameRange&) const = default;
 };
 
 inline constexpr const char* frames_syntax = "all, N, A:B or A:B:STEP, with commas between; -1 is the last frame";
 
-// Nothing for what frames_syntax does not say.
+// Nothing for a text that is not of frames_syntax.
 std::optional<std::vector<FrameRange>> parse_frames(std::string_view text);
 
-// The numbers of the frames, in the order of the ranges. count(enough): how many frames the file has, or `enough` if there are
-// more. Throws InputError, which begins with the file's `name`, where a single frame is not there, or where none is left.
+// The numbers of the frames, in the order of the ranges. count(enough): how many frames the file has, `enough` at most. Throws
+// InputError, which begins with the file's `name`, if a single frame does not exist or no frame is left.
 std::vector<std::int64_t> frames_in(const std::vector<FrameRange>& ranges, const std::string& name,
                                     const std::function<std::int64_t(std::int64_t enough)>& count);
 
-// Of `count` parts one, from 1: every count-th picture.
+// One of `count` parts: every count-th picture, from the number-th on. `number` begins at 1.
 struct RenderPart {
     std::int64_t number = 1;
     std::int64_t count = 1;
@@ -40,18 +40,18 @@ struct RenderPart {
     bool has(std::size_t place) const { return static_cast<std::int64_t>(place) % count == number - 1; }
 };
 
-// "2/4"; nothing for what is no such part.
+// Reads "2/4"; nothing for another text.
 std::optional<RenderPart> parse_part_of_pictures(std::string_view text);
 
-// More of a render's options; what is not said is one picture of --frame.
+// The options of `render` for several pictures; the defaults mean one picture of --frame.
 struct FrameOptions {
     std::vector<FrameRange> ranges{};
-    bool fit_first = false;      // the one camera to the first frame, not to all
+    bool fit_first = false;      // fits the camera to the first frame, not to all
     std::int64_t turntable = 0;  // pictures of a whole turn; 0: none
     TurnAxis axis = TurnAxis::up;
-    bool skip_existing = false;             // what is there whole already
+    bool skip_existing = false;             // pictures that are there whole
     std::optional<RenderPart> part{};       // of all pictures
-    std::optional<std::string> manifest{};  // where a line for each picture goes
+    std::optional<std::string> manifest{};  // a file that gets a line for each picture
 
     // Whether pictures have numbers.
     bool several() const { return !ranges.empty() || turntable > 0; }

@@ -1,4 +1,4 @@
-// The pictures of a trajectory's frames, or around a scene, by one camera that only turns.
+// The pictures of a trajectory's frames, or around a scene, by one camera, which may turn.
 #pragma once
 
 #include <cstddef>
@@ -19,74 +19,72 @@
 
 namespace sphereview {
 
-// One picture of them.
+// One picture of a sequence.
 struct Shot {
-    std::int64_t number = 0;  // for names: the frame's, or of several pictures of one frame that of the picture
+    std::int64_t number = 0;  // for names: the frame's, or the picture's if all are of one frame
     std::int64_t frame = 0;
     double degrees = 0.0;  // that the camera has turned
 };
 
-// Of these frames, one after the other or, where there is one and a turntable, around it. `turntable`: pictures of a whole turn; 0:
+// The shots of these frames, one each; of a single frame with a turntable, all around it. `turntable`: pictures of a whole turn; 0:
 // none.
 std::vector<Shot> shots_of(const std::vector<std::int64_t>& frames, std::int64_t turntable);
 
 class FrameSequence {
 public:
-    // Opens the file and finds the frames that `options` ask for, which must outlive this. Throws InputError.
+    // Opens the file and finds the frames that `options` ask for. `options` must outlive this object. Throws InputError.
     FrameSequence(const std::string& path, const RenderOptions& options, Progress& progress);
-    // Of a scene that is there, around which `options` ask for a turntable; they must outlive this.
+    // A turntable around a scene that is read already. `options` must outlive this object.
     FrameSequence(LoadedScene scene, const RenderOptions& options);
 
-    // From now on made in every frame. Before prepare().
+    // Applies these changes to every frame. Call before prepare().
     void set_changes(FrameChanges changes) { changes_ = std::move(changes); }
-    // Where the file is cut off or wrong behind a frame, what is passed over, in words; "" where nothing is.
+    // In words, what is passed over where the file is cut off or wrong behind a frame; else "".
     const std::string& early_end() const { return early_end_; }
-    // Whether it is wrong there, and not only cut off, or in a frame up to the last that is asked for, so that frames may be lost.
+    // Whether frames may be lost: more text follows the fault, or a frame up to the last wanted one is cut off and others follow.
     bool is_damaged() const { return is_damaged_; }
 
     const std::vector<Shot>& shots() const { return shots_; }
 
-    // Chooses the camera; before load(). Where it is fitted, all frames are read once; what is wrong with one of them, but for the
-    // first, is left to load(), unless a film is to be made. Throws as load_scene().
+    // Chooses the camera; call before load(). To fit the camera, reads all frames once. Faults of frames other than the first are
+    // left to load(), unless a film is made. Throws as load_scene().
     void prepare(Progress& progress);
 
-    // The SHA-256 of what the other shots have to do with the picture of this one, after prepare(): the frame is seen by a camera,
-    // in ranges and with a radius that may come of them.
+    // The SHA-256 of all that this shot's picture takes from the other shots: the camera, ranges, the radius of points. After
+    // prepare().
     std::string sum_of(const Shot& shot) const;
 
-    // The scene of a shot as the camera sees it then. Its light stays where it is in the scene while the camera turns.
+    // The scene of a shot, with the shot's camera. Its light stays fixed to the scene while the camera turns.
     LoadedScene load(const Shot& shot);
 
-    // For people: which of the frames that were loaded hold values beyond the first one's range, in which all are coloured; ""
-    // where none does.
+    // For people: which loaded frames hold values beyond the range of colours, which is the first frame's; "" where none does.
     std::string values_beyond_range() const;
 
-    // Those of the lines that are not said of another frame already.
+    // The lines that no earlier call of this returned.
     std::vector<std::string> not_said(const std::vector<std::string>& lines);
 
 private:
-    // A frame as the file has it, with what all share: the radius of points, and the range, the scale and the order of categories
-    // that values give, each that of the first frame in the list that has one, whichever is read first. So all parts of the list
-    // have the same.
+    // A frame of the file, with the radius of points, range, scale and order of categories that all frames share. Each comes from
+    // the first frame in the list that has one, whichever is read first, so all parts of the list have the same.
     const LoadedScene& read(std::int64_t frame);
     SphereData read_data(std::int64_t frame);
     void read_alone(std::int64_t frame);
     template <typename IsIt>
     void look_through(const IsIt& is_it);
-    // What the camera comes of that is fitted to all these shots, besides the file; nothing where it cannot be told in short.
+    // A hash of all that the fitted camera depends on besides the file; nothing where the options cannot say all of that.
     std::optional<std::string> question_of_fit(const ViewAxes& axes) const;
     const LoadedScene* read_to_fit(std::int64_t frame);
     Camera fitted_camera(const LoadedScene& first, const ViewAxes& axes, Progress& progress);
     Camera camera_of(const Shot& shot) const { return turn_ ? turn_->camera(camera_, middle_, shot.degrees) : camera_; }
 
     const RenderOptions& options_;
-    LookOptions look_;  // with what the first frame's values gave
-    // Whether the frames were looked through for them, or need not be.
+    LookOptions look_;  // completed by the first frame's values
+    // Whether each is known, or not needed.
     bool knows_radius_ = false;
     bool knows_range_ = false;
     bool knows_scale_ = false;
     bool knows_order_ = false;
-    std::optional<FrameReader> reader_{};  // none: of the one frame that is there
+    std::optional<FrameReader> reader_{};  // none: the one frame is `present_`
     FrameChanges changes_{};
     std::string early_end_{};
     bool is_damaged_ = false;
@@ -96,12 +94,12 @@ private:
     Camera camera_{};
     bool fitted_ = false;
     std::optional<Turn> turn_{};
-    std::string shared_{};    // by all shots: the text that sum_of() begins with
-    glm::dvec3 middle_{0.0};  // of what the camera is fitted to, or of the first frame
+    std::string shared_{};    // the beginning of sum_of()'s text, the same for all shots
+    glm::dvec3 middle_{0.0};  // of all that the camera is fitted to, or of the first frame
     std::set<std::string> said_{};
     std::set<std::int64_t> beyond_range_{};       // frames
-    std::optional<double> radius_{};              // of all points, by the first frame that has one
-    std::vector<std::string> radius_warnings_{};  // of that frame, until a picture has them
+    std::optional<double> radius_{};              // of points, from the first frame that has one
+    std::vector<std::string> radius_warnings_{};  // of that frame, until a picture reports them
 };
 
 }  // namespace sphereview

@@ -1,4 +1,4 @@
-// Work that says how far it came when it is interrupted.
+// Last words of work that is interrupted.
 #pragma once
 
 #include <functional>
@@ -6,8 +6,8 @@
 
 namespace sphereview {
 
-// While this lives, an interruption says what `last_words` returns, unless that is empty, which is called on a thread of its own,
-// and ends the process: at once, or where an output is written, behind that. One at a time.
+// While this lives, an interruption calls `last_words` on a thread of its own, prints the result unless that is empty, and ends the
+// process: at once, or after an output that is being written. One at a time.
 class Interruptible {
 public:
     explicit Interruptible(std::function<std::string()> last_words);

@@ -32,14 +32,13 @@ public:
     requires(!std::convertible_to<List, std::string_view>) Json(const List& values) : Json(array()) {
         for (const auto& value : values) push_back(value);
     }
-    Json(std::initializer_list<Json> values);  // an object where all are of the form {"key", value}, else a list
+    Json(std::initializer_list<Json> values);  // an object if all are of the form {"key", value}, else a list
     static Json array();
     static Json object();
-    // Throws InputError with the place in `text`, which stands at `origin` of the file `name`, where that is not JSON or nests too
-    // deep.
+    // Throws InputError with the place if `text` is not JSON or nests too deep. `text` stands at `origin` in the file `name`.
     static Json parse(std::string_view text, const std::string& name, TextPosition origin = {});
 
-    // These are nothing for a value of another type; a member that is not there is null.
+    // These give nothing for a value of another type. A missing member is null.
     bool is_null() const;
     bool is_object() const;
     std::optional<bool> boolean() const;
@@ -54,7 +53,7 @@ public:
     void erase(std::string_view key);
     void push_back(const Json& value);
 
-    // In ASCII alone, which no terminal acts on; what is not UTF-8 becomes U+FFFD.
+    // In ASCII alone, which no terminal acts on. Bytes that are not UTF-8 become U+FFFD.
     std::string dump(int indent = -1) const;
 
 private:
@@ -64,7 +63,7 @@ private:
     static Json from_text(std::string_view text);
     void dump_to(std::string& text, int indent, int depth) const;
 
-    std::shared_ptr<Tree> tree_;  // null's is none; whoever changes a shared one copies it before
+    std::shared_ptr<Tree> tree_;  // null has none; shared: copied before a change
 };
 
 inline Json rgb(const Color& color) { return {color.r, color.g, color.b}; }

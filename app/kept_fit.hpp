@@ -1,5 +1,5 @@
-// The one camera that sees many frames, kept between runs: who renders a part of them, or renders them again, need not read all of
-// a large file for it (formats/kept_findings.hpp).
+// Keeps the camera that sees many frames between runs. A run that renders a part of them, or renders them again, then need not read
+// all of a large file first (formats/kept_findings.hpp).
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -13,13 +13,13 @@ namespace sphereview {
 
 struct FrameFit {
     Camera camera{};
-    glm::dvec3 middle{0.0};  // of all that it sees
+    glm::dvec3 middle{0.0};  // of all that the camera sees
 };
 
-// `question`: all that the fit comes of besides the file. The same doubles as were kept, or nothing.
+// The very doubles that were kept, or nothing. `question`: all that the fit depends on besides the file.
 std::optional<FrameFit> read_fit(const FileStamp& stamp, const std::string& question);
 
-// `stamp`: from before the frames were read. Keeps nothing where the file has become another one since.
+// `stamp`: the file's before the frames were read. Keeps nothing if the file has changed since.
 void keep_fit(const FileStamp& stamp, const std::string& question, const FrameFit& fit) noexcept;
 
 }  // namespace sphereview

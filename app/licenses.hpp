@@ -1,4 +1,4 @@
-// The licences of this program and of the parts of others that it was built from.
+// The licences of this program and of the libraries in it.
 #pragma once
 
 #include <string>

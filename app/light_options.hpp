@@ -1,4 +1,4 @@
-// What the command line says of the light, instead of the scene.
+// The command line's options for light, which replace the scene's.
 #pragma once
 
 #include <cstdint>
@@ -17,16 +17,16 @@ struct LightOptions {
     std::optional<int> lights;
     std::optional<double> sky;
     std::optional<double> key;
-    std::optional<std::variant<glm::dvec3, ViewAxes>> sun;  // its direction, or it shines as that view looks
+    std::optional<std::variant<glm::dvec3, ViewAxes>> sun;  // its direction, or the view that looks as the sun shines
     std::optional<double> sun_strength;
 
     bool any() const { return lights || sky || key || sun || sun_strength; }
 };
 
-// The scene's light with the options instead. Throws InputError for the strength of a sun that is not there.
+// The scene's light with the options applied. Throws InputError for a sun's strength without a sun.
 Light with_options(const Scene& scene, const LightOptions& options);
 
-// What the options' values are, for messages and help; `part`: of the sky and the key light.
+// The options' expected values, for messages and help. part_syntax(): of the sky and the key light.
 std::string lights_syntax();
 std::string part_syntax(double most);
 std::string sun_strength_syntax();
@@ -37,7 +37,7 @@ constexpr bool is_light_count(std::int64_t count) { return count >= fewest_light
 constexpr bool is_part(double strength, double most) { return strength >= 0.0 && strength <= most; }
 constexpr bool is_sun_strength(double strength) { return strength >= weakest_sun && strength <= strongest_sun; }
 
-// Reads what sun_syntax says. Nothing for anything else.
+// Reads a text of sun_syntax; nothing for another text.
 std::optional<std::variant<glm::dvec3, ViewAxes>> parse_sun(std::string_view text);
 
 }  // namespace sphereview

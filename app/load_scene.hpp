@@ -17,73 +17,74 @@
 
 namespace sphereview {
 
-// A scene and how messages call the file it came from.
+// A scene, with what else was read of its file.
 struct LoadedScene {
     Scene scene{};
     std::string name{};
     SceneFormat format = SceneFormat::text;
     std::int64_t frames = 1;                    // in the file
     std::optional<FrameTime> time{};            // SphereData::time
-    bool all_frames = true;                     // else there may be more (LoadOptions::counts_frames)
+    bool all_frames = true;                     // false: there may be more (LoadOptions::counts_frames)
     std::optional<double> radius_of_points{};   // SphereData::radius_of_points
     std::vector<std::string> warnings{};        // SphereData::warnings
     std::vector<std::string> notes{};           // SphereData::notes
     std::vector<std::string> property_names{};  // SphereData::property_names
-    AppliedLook look{};                         // what the options' look has made of it
-    bool fitted = false;                        // its camera was moved to see everything
-    std::optional<glm::dvec3> middle{};         // of all frames that one camera shows; none: the scene's own
+    AppliedLook look{};                         // the result of the options' look
+    bool fitted = false;                        // the camera was moved to see everything
+    std::optional<glm::dvec3> middle{};         // of all frames that share a camera; none: the scene's own
 
-    // Whether its camera is its own; else nobody has chosen one, and it is fitted unless that is forbidden.
+    // Whether the file has a camera. Without one the camera is fitted, unless that is forbidden.
     bool has_camera() const { return !format.is_data; }
 };
 
-// From where a scene is seen, if not by its own camera.
+// The camera by which a scene is seen, instead of its own.
 struct FitOptions {
-    std::optional<bool> wanted{};             // to everything; none: only if nobody has chosen the scene's camera
-    std::optional<ViewAxes> view{};           // none: the way that the scene's camera looks
+    std::optional<bool> wanted{};             // whether to fit; none: only a scene without a camera
+    std::optional<ViewAxes> view{};           // the direction of a fit; none: as the scene's camera looks
     std::optional<Projection> projection{};   // instead of the camera's
-    std::optional<std::string> saved_view{};  // by the camera of the scene's view of that name, not fitted
-    std::optional<std::string> camera{};      // by the camera of this scene, or its view of that name; not fitted
-    std::optional<Camera> given{};            // by this camera alone; not fitted
+    std::optional<std::string> saved_view{};  // the name of a saved view to use, not fitted
+    std::optional<std::string> camera{};      // a scene whose camera, or saved view, is used; not fitted
+    std::optional<Camera> given{};            // the camera to use, not fitted
 };
 
-// What `--view TEXT` asks for: a side, an azimuth and an elevation, or else a saved view; nothing for what none can be called.
+// The options of `--view TEXT`: a side, an azimuth and an elevation, or else a saved view. Nothing for a text that cannot be a
+// view's name.
 std::optional<FitOptions> fit_from(const std::string& view);
 
 struct LoadOptions {
     Progress* progress = nullptr;
-    std::size_t more_per_sphere = 0;  // bytes that are needed for what is to be made of it
+    std::size_t more_per_sphere = 0;  // bytes that the caller will need besides
     DataOptions data{};
     LookOptions look{};
     FitOptions fit{};
-    std::optional<Background> data_background{};  // of a scene from another program's file, which names none
-    WorkControl* control = nullptr;               // told the bytes that were read, and looked at while reading
-    bool counts_frames = true;  // else a large file is read no farther than the frame needs, where its format allows that
+    std::optional<Background> data_background{};  // of data, which names none
+    WorkControl* control = nullptr;               // gets the bytes read, and may cancel
+    bool counts_frames = true;                    // false: reads no more of a large file than the frame needs, if possible
 };
 
 // The camera of the scene's view of that name. Throws InputError where there is none.
 Camera saved_view(const LoadedScene& loaded, const std::string& name);
 
-// By which camera a scene is seen that is not fitted, or before it is. Throws InputError, also where FitOptions::camera has none.
+// The camera that `fit` chooses, before any fitting. Throws InputError, also where FitOptions::camera has no camera.
 Camera chosen_camera(const LoadedScene& loaded, const FitOptions& fit);
 
-// Whether the camera is moved to see everything.
+// Whether the camera is to be fitted.
 bool is_to_fit(const LoadedScene& loaded, const FitOptions& fit);
 
-// What the reading of a file of data, or of a frame of it, gave.
+// The scene of data that was read from a file, or of one frame of it.
 LoadedScene loaded_from(SphereData data, const std::string& name, const SceneFormat& format);
 
-// Gives what was read the background, the look and the camera that the options ask for. Throws InputError.
+// Applies the options' background, look and camera to a scene that was read. Throws InputError.
 void complete(LoadedScene& loaded, const LoadOptions& options);
 
-// Reads a scene file of any format, or standard input for "-"; of a text, only a small part is in memory at a time. Throws
-// InputError, also for a saved view or a property that the scene has not, MemoryError when it cannot fit, and Cancelled.
+// Reads a scene file of any format, or standard input for "-"; only a small part of a text is in memory at a time. Throws
+// InputError, also for a saved view or a property that the scene lacks, MemoryError when the scene cannot fit, and Cancelled.
 LoadedScene load_scene(const std::string& path, const LoadOptions& options = {});
 
-// Throws InputError where the scene has not all the properties that were asked for by name.
+// Throws InputError if the scene lacks a property that was asked for by name.
 void require_properties(const LoadedScene& loaded, const DataOptions& asked);
 
-// Says the warnings and what the look has chosen on stderr, a line each.
+// Prints the warnings and the look's choices on stderr, a line each.
 void say_warnings(const LoadedScene& loaded);
 
 }  // namespace sphereview

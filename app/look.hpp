@@ -1,4 +1,4 @@
-// What the command line says of colours and sizes, instead of the scene's file: by its properties, and by element.
+// The options for colours and sizes, which replace the file's: by property, and by element.
 #pragma once
 
 #include <optional>
@@ -15,11 +15,11 @@ namespace sphereview {
 
 struct LookOptions {
     std::optional<std::string> color_by;  // a property
-    std::optional<ColorMap> map;          // these three with color_by
+    std::optional<ColorMap> map;          // the next three need color_by
     std::optional<ValueRange> range;
     bool log = false;
-    std::optional<ValueRange> range_of_frames;  // that another frame has given: of numbers, where `range` is none
-    std::optional<CategoryOrder> order;         // that another frame has given
+    std::optional<ValueRange> range_of_frames;  // from another frame: of numbers, without `range`
+    std::optional<CategoryOrder> order;         // from another frame
     std::optional<std::string> size_by;         // a property
     std::optional<double> scale;                // with size_by; > 0
     std::optional<RadiiKind> radii;             // not with size_by
@@ -29,29 +29,29 @@ struct LookOptions {
     bool operator==(const LookOptions&) const = default;
 };
 
-// How a file is to be read, with the properties that the look needs as well.
+// `data` with the properties that the look needs as well.
 DataOptions with_properties(DataOptions data, const LookOptions& look);
 
-// What became of them.
+// The result of applying LookOptions.
 struct AppliedLook {
     std::optional<Coloring> coloring{};
     ColorBy colored_by{};
-    bool has_values_beyond = false;           // the range that was asked for
-    std::optional<ValueRange> found_range{};  // of the numbers, where none was asked for and they have one
+    bool has_values_beyond = false;           // some value is beyond the wanted range
+    std::optional<ValueRange> found_range{};  // of the numbers, if no range was asked for
     std::optional<Sizing> sizing{};
     std::optional<double> found_scale{};  // likewise
     std::string sized_by{};               // the property
-    // What the spheres had before, where they have got others.
+    // The spheres' colours and radii before, where these were replaced.
     std::vector<Color> own_colors{};
     std::vector<double> own_radii{};
-    std::vector<std::string> lines{};  // of what was chosen, for people; each begins with the file's name
+    std::vector<std::string> lines{};  // the choices, for people; each begins with the file's name
 };
 
 // {"color_by": {...}, "size_by": {...}}, each null where nothing was asked for.
 Json to_json(const AppliedLook& look);
 
-// Gives the scene, which the file `name` holds, these colours and radii. `has`: what the file holds of each sphere. Throws
-// InputError where it has not what is asked for, with a list of what it has.
+// Gives the scene of the file `name` these colours and radii. `has`: the file's properties. Throws InputError for a missing
+// property, with a list of those.
 AppliedLook apply_look(Scene& scene, const LookOptions& options, const std::string& name, const std::vector<std::string>& has);
 
 }  // namespace sphereview

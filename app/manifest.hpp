@@ -1,4 +1,4 @@
-// What rendered pictures were made of, so that somebody else can make them again: a JSON line for each.
+// A JSON line for each rendered picture says what it was made of, so that somebody else can render it again.
 #pragma once
 
 #include <cstddef>
@@ -20,24 +20,24 @@
 
 namespace sphereview {
 
-// Of a picture's bytes, the top row first, 3 or 4 a pixel.
+// The SHA-256 of a picture's bytes, the top row first, 3 or 4 a pixel.
 std::string sum_of_pixels(const Image& picture);
-// Throws InputError for a device or a FIFO, of which no sum can be made.
+// Throws InputError for a device or a FIFO, which has no sum.
 void require_regular_file(const std::string& path);
-// Of a regular file. Throws InputError.
+// The SHA-256 of a regular file. Throws InputError.
 std::string sum_of_file(const std::string& path);
 
-// The files that pictures are made of, as they are before the first is opened.
+// The states of the input files, to be taken before the first is opened.
 std::map<std::string, FileStates> states_of_inputs(const RenderOptions& options);
 
-// What a manifest says of a picture's bytes.
+// The sums of a picture.
 struct PictureSums {
     std::string pixels{};               // sum_of_pixels()
     std::optional<std::string> file{};  // SHA-256 of the PNG; none: it went into a film
 };
 
 struct ManifestEntry {
-    std::string where{};                   // its line, as messages begin with it
+    std::string where{};                   // the place of its line, which begins messages
     std::optional<std::string> picture{};  // its file; none: it went into a film
     std::int64_t frame = 0;
     std::size_t place = 0;  // in the sequence, from 0
@@ -45,49 +45,49 @@ struct ManifestEntry {
     std::string scene_sum{};
     std::optional<std::string> camera_sum{};    // of the scene that --camera names
     std::optional<std::string> sequence_sum{};  // FrameSequence::sum_of(); none: a picture by itself
-    std::vector<std::string> options{};         // of `render`, that say what the picture looks like
+    std::vector<std::string> options{};         // options of `render` that change what pictures look like
     std::string pixels_sum{};
     std::optional<std::string> file_sum{};
     std::string version{};  // of the program
 };
 
-// The options of a picture without those that say only which other pictures there are: what of them is seen, sequence_sum tells.
+// The entry's options without those that only select other pictures. sequence_sum covers their effect on this picture.
 std::vector<std::string> options_of_one(const ManifestEntry& entry);
 
-// The whole lines of a manifest, without blank ones: one that was cut off at its end is left out. Throws InputError.
+// Reads a manifest's lines, without blank ones and without a last one that is cut off. Throws InputError.
 struct ManifestLines {
     std::vector<ManifestEntry> entries{};
-    std::optional<std::size_t> cut_off{};  // the number of the last line
+    std::optional<std::size_t> cut_off{};  // the number of that line
 };
 ManifestLines read_manifest(const std::string& path);
 
 class Manifest {
 public:
-    // Begins the file named by the options anew, or with --skip-existing goes on behind the whole lines that are there, without
-    // those of jobs' pictures that were made of something else: then the jobs' sequences are to be prepared.
+    // Begins the options' file anew. With --skip-existing keeps its whole lines, except those of jobs' pictures that were made of
+    // something else; then the jobs' sequences must be prepared.
     // `states`: states_of_inputs(). Throws OutputError, and InputError for scenes without a name, or names that JSON cannot hold.
     Manifest(const RenderOptions& options, std::span<const RenderJob> jobs, std::map<std::string, FileStates> states);
 
-    // Whether that picture of a job is there whole, and has a line.
+    // Whether a job's picture exists whole and has a line.
     bool has(const std::string& picture) const { return known_.contains(picture); }
-    // How many pictures of the jobs had been made of something else.
+    // How many of the jobs' pictures were made of something else.
     std::size_t outdated() const { return outdated_.size(); }
 
-    // Appends the line of a job's picture, unless it is there, whole or not at all, as durable as the picture. Throws OutputError,
-    // and InputError where the scene, or that of the camera, is no longer the file whose state was given, or none that has a sum.
+    // Appends the line of a job's picture, unless the file has it; whole or not at all, and as durable as the picture. Throws
+    // OutputError, and InputError if a scene's file, or the camera's, has changed since `states` or can have no sum.
     void add(const RenderJob& job, const PictureSums& sums);
-    // Whether a scene was found changed: no further picture gets a line.
+    // Whether a scene has changed: no further picture gets a line.
     bool has_lost_scene() const { return lost_scene_; }
 
 private:
-    // Whether the line is what add() would write of the job, but for the sums of its picture.
+    // Whether add() would write the same line for the job, apart from the picture's sums.
     bool is_of(const ManifestEntry& entry, const RenderJob& job);
-    // Made when it is first asked for. Throws InputError where the file is not as it was.
+    // The file's sum, made when first needed. Throws InputError if the file has changed.
     const std::string& sum_of(const std::string& file);
     std::optional<std::string> camera_sum();
     void require_same(const std::string& file);
     std::int64_t number_of(const RenderJob& job) const;
-    // The lines of a manifest that are to stay.
+    // Those of `lines` that the manifest keeps.
     std::string kept_of(std::string_view lines, std::span<const RenderJob> jobs);
 
     const RenderOptions& options_;
@@ -95,7 +95,7 @@ private:
     std::map<std::string, std::string> sums_{};
     bool lost_scene_ = false;
     std::set<std::string> known_{};
-    std::set<std::string> lines_of_lost_{};  // of pictures that are gone or damaged
+    std::set<std::string> lines_of_lost_{};  // lines of pictures that are gone or damaged
     std::set<std::string> outdated_{};
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
 };

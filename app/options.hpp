@@ -1,5 +1,4 @@
-// The commands: what the command line asks for, and what does it. Each returns the exit status, or throws before it has done
-// anything.
+// The commands and their options. Each command returns the exit status, or throws before it has done anything.
 #pragma once
 
 #include <array>
@@ -23,7 +22,7 @@ namespace sphereview {
 // The renderers that a person can ask for.
 enum class Backend { automatic, egl, osmesa, wgl, cpu };
 
-// By their values.
+// By the values of Backend.
 inline constexpr std::array<std::string_view, 5> backend_names = {"auto", "egl", "osmesa", "wgl", "cpu"};
 
 constexpr std::string_view name_of(Backend backend) { return backend_names[static_cast<std::size_t>(backend)]; }

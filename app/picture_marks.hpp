@@ -1,5 +1,5 @@
-// What may be drawn over a picture: the axes in its lower left corner, a scale bar in the lower right one, a legend in the upper
-// right one. A window draws the same lines.
+// Marks over a picture: axes in the lower left corner, a scale bar in the lower right one, a legend in the upper right one. The
+// window draws the same lines.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -13,7 +13,7 @@
 
 namespace sphereview {
 
-// Whether letters on such a background should be dark.
+// Whether letters on this background should be dark.
 constexpr bool is_light(const Background& background) {
     const Color& color = background.color;
     return !background.transparent && 3 * color.r + 6 * color.g + color.b > 10 * 150;
@@ -22,39 +22,39 @@ constexpr bool is_light(const Background& background) {
 struct PictureMarks {
     bool axes = false;
     bool scale_bar = false;
-    glm::dvec3 scale_at{0.0};  // in perspective the bar holds as deep as this point
+    glm::dvec3 scale_at{0.0};  // in perspective the bar is right at this point's depth
     std::optional<Coloring> legend{};
-    bool on_light = false;  // the background is: the legend's letters are dark
+    bool on_light = false;  // the legend's letters are dark, for a light background
 
     bool operator==(const PictureMarks&) const = default;
 };
 
-// Sizes are in units of so many sixteenths of a pixel.
+// Sizes of marks in `unit`s; a unit is a number of sixteenths of a pixel.
 inline constexpr int axes_radius = 26;  // from the middle to the outermost edge
 inline constexpr int marks_margin = 6;  // to the picture's edges
-// Of a picture: the wanted one, or the largest with which the axes take no more than a third of the picture; 0 where letters would
-// be too small to be read.
+// The unit of a picture's marks: the wanted one, or the largest with which the axes take no more than a third of the picture; 0 if
+// letters would be too small to be read.
 int unit_of_marks(int shorter_side, int wanted);
-// The longest that the bar may be, of the picture's shorter side.
+// The longest scale bar, as a part of the picture's shorter side.
 inline constexpr double longest_scale_bar = 0.25;
 
-// How far from the middle an axis' end is drawn, and how large it is there.
+// The distance of an axis' end from the middle, and the radius of its ball.
 inline constexpr int axis_length = 20;
 inline constexpr int axis_ball = 6;  // its radius
 
-// Of letters and lines, and of the edge around everything, so that it is seen on any colour.
+// The colours of letters and lines, and of the edge around them, which makes them visible on any colour.
 inline constexpr std::array<std::uint8_t, 3> light_mark{245, 246, 248};
 inline constexpr std::array<std::uint8_t, 3> dark_mark{18, 20, 26};
-// Adds strokes with an edge around all of them, so wide, of that colour.
+// Appends strokes with an edge of that width and colour around all of them.
 void append_with_edge(std::vector<Stroke>& strokes, const std::vector<Stroke>& more, int edge,
                       const std::array<std::uint8_t, 3>& color = dark_mark);
 
 std::vector<Stroke> strokes_of_axes(const Camera& camera, StrokePlace middle, int unit);
-// With its words above it. `corner`: the bar's lower right end. Words that are wider than `most`, in sixteenths of a pixel, leave
-// the depth out.
+// The bar with its words above. `corner`: the bar's lower right end. The words leave the depth out if they would be wider than
+// `most` sixteenths of a pixel.
 std::vector<Stroke> strokes_of_scale_bar(const ScaleBar& bar, StrokePlace corner, int unit, int most);
 
-// A picture that is too small for them gets none.
+// Draws the marks, except over a picture that is too small for them.
 void draw_marks(const PictureMarks& marks, const Camera& camera, Image& picture);
 
 }  // namespace sphereview

@@ -1,4 +1,4 @@
-// What the options of `render` ask for of a scene that is read.
+// From the options of `render` and a scene that was read to the options of one picture.
 #pragma once
 
 #include "app/load_scene.hpp"

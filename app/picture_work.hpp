@@ -1,4 +1,4 @@
-// One picture between its scene's file and its own: read, drawn, compared and packed.
+// The making of one picture: its scene is read, drawn, compared and packed.
 #pragma once
 
 #include <cstddef>
@@ -25,20 +25,20 @@ struct PictureWork {
     RenderReport report{};
     std::optional<PngReader> golden{};
     LoadedScene loaded{};
-    bool failed = false;             // its report has the error; differing from a golden image is none
-    bool lacks_memory = false;       // that is the error
-    bool cannot_read_scene = false;  // likewise: the file, whatever it holds
+    bool failed = false;             // `report` has the error; a difference from a golden image is none
+    bool lacks_memory = false;       // the error is a lack of memory
+    bool cannot_read_scene = false;  // the error is that the file cannot be read at all
     Image picture{};
     Image difference{};
-    std::string png{};  // where there is an output
+    std::string png{};  // if there is an output
     PictureSums sums{};
     std::vector<std::string> warnings{};  // of the picture
 };
 
-// Notes in the work's report what is being thrown, and that the work has failed.
+// Notes the exception being handled in the work's report, and that the work has failed.
 void note_failure(PictureWork& work);
 
-// Calls step() unless the work has failed, and notes what it throws; Cancelled goes on.
+// Calls step() unless the work has failed, and notes what step() throws; passes Cancelled on.
 template <typename Step>
 void attempt(PictureWork& work, const Step& step) {
     if (work.failed) return;
@@ -51,10 +51,10 @@ void attempt(PictureWork& work, const Step& step) {
     }
 }
 
-// Told how far a picture is, 0..1, with a note.
+// Gets the finished part of a picture, 0..1, and a note.
 using PictureWatcher = std::function<void(double, const std::string&)>;
 
-// What is wanted of a picture besides its files.
+// What the caller wants of each picture besides its files.
 struct WantedOfPictures {
     bool pixels = false;  // PictureWork::picture stays
     bool sums = false;
@@ -67,15 +67,15 @@ public:
     PictureMaker(const RenderOptions& options, WantedOfPictures wanted, Progress& progress)
         : options_(options), wanted_(wanted), progress_(progress) {}
 
-    // Where several pictures are on their way: who draws what a single thread may draw. Null: each thread may.
+    // For several pictures at once: the thread that serves `errands` draws what a single thread must draw. Null: each thread draws.
     void draw_by(Errands* errands) { errands_ = errands; }
 
-    // Reads what the picture is made of; one at a time. Throws Cancelled.
+    // Reads the picture's inputs; call for one picture at a time. Throws Cancelled.
     void begin(const RenderJob& job, PictureWork& work);
     // Draws the picture, compares it and makes its file. Throws Cancelled.
     void make(PictureWork& work, const PictureWatcher& watcher);
 
-    // In the scene that begin() has read last.
+    // The number of spheres in the scene that begin() read last.
     std::size_t spheres_of_last() const { return spheres_of_last_; }
 
 private:

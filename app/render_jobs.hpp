@@ -1,4 +1,4 @@
-// Rendering what is planned.
+// Renders the planned pictures.
 #pragma once
 
 #include <functional>
@@ -17,15 +17,15 @@ struct RenderReport;
 
 // Where pictures go besides their files.
 struct RenderSinks {
-    Film* film = nullptr;  // the first picture that fails ends it, and the work
+    Film* film = nullptr;  // the first failing picture ends the film and the work
     Manifest* manifest = nullptr;
-    // Where there is a window and no terminal: told of each picture in its turn, with what there is to say of it. The threads give
-    // way to others. May throw, which ends the work.
+    // Set by a window instead of a terminal: gets each picture's report, in order. The threads then give way to others. May throw,
+    // which ends the work.
     std::function<void(const RenderReport&)> reported{};
 };
 
-// Does the jobs one after the other, whose sequences are prepared; what concerns one alone does not stop the others, but a picture
-// of a sequence that cannot be written does. Returns the highest status.
+// Does the jobs in order; their sequences must be prepared. A fault of one job does not stop the others, except a picture of a
+// sequence that cannot be written. Returns the highest status.
 ExitCode run_jobs(const RenderOptions& options, std::span<const RenderJob> jobs, const RenderSinks& sinks, Progress& progress);
 
 }  // namespace sphereview

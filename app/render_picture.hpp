@@ -31,40 +31,38 @@ struct PictureOptions {
     bool operator==(const PictureOptions&) const = default;
 };
 
-// The widest and highest a picture with so many samples may be: that of all points is no longer than any picture.
+// The largest side of a picture with so many samples: the picture of all points has the usual bound.
 constexpr int longest_side(int samples) { return static_cast<int>(most_pixels / sample_side(samples)); }
 
-// How a picture came about.
+// Facts about the making of a picture.
 struct PictureFacts {
-    DecisionCounts decisions;     // of the points of all pixels
-    std::string spheres_in;       // where the renderer kept them
+    DecisionCounts decisions;     // for the points of all pixels
+    std::string spheres_in;       // where the renderer keeps the spheres
     std::vector<int> tile_sides;  // of the levels that are not empty, in pixels, the coarsest first
     std::size_t candidates = 0;   // in all lists
     std::size_t longest_list = 0;
-    bool shows_sphere = false;  // anywhere
+    bool shows_sphere = false;  // in any pixel
 };
 
-// What a picture looks like on the way, for whoever shows it.
+// Drafts of a picture while it is made.
 struct Drafts {
-    Image under;                      // an earlier picture of the same size, in place of what is not finished; or empty
-    std::function<void(Image)> show;  // is called now and then
+    Image under;                      // an earlier picture of the same size, shown where nothing is finished; or empty
+    std::function<void(Image)> show;  // called now and then
 };
 
-// Traces block by block, certifies, colours and averages on the CPU, and draws the marks. An OpenBackend without a GPU renderer
-// stands for the CPU's. `drawn` is as the options' camera sees it. Calls progress() with how much is done, 0..1, and shows drafts
-// in the shading `studio`, in which `kept` is given which lights shine where. Throws TooLarge when the GPU renderer cannot hold the
-// scene.
+// Traces block by block, certifies, colours and averages on the CPU, and draws the marks. `drawn`: by the options' camera. Calls
+// progress() with the finished part, 0..1. In the shading `studio` shows drafts, and `kept` gets which lights shine where. Throws
+// TooLarge when the GPU renderer cannot hold the scene.
 Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options,
                      Timings& timings, PictureFacts& facts, const std::function<void(double)>& progress,
                      const Drafts* drafts = nullptr, KeptLight* kept = nullptr);
 
-// The same bytes of the picture of which `kept` was kept, but for the strengths of its lights. Nothing where not all was kept, or
-// a light is where none was.
+// The picture, byte for byte, made from the `kept` light of a picture that differs only in strengths of lights. Nothing if `kept`
+// is not complete or lacks a light.
 std::optional<Image> relit_picture(const Scene& scene, const PictureOptions& options, const KeptLight& kept);
 
-// Calls render(opened); where the GPU renderer of `opened` cannot hold the scene and nobody asked for that one by name, calls
-// render() again with the CPU's, whose passed_over then says why. Throws RenderError where one that was asked for cannot hold the
-// scene.
+// Calls render(opened). If the GPU renderer cannot hold the scene, calls render() again with the CPU renderer, whose passed_over
+// then says why; throws RenderError instead if `asked_for` names the backend.
 Image render_by_what_holds_it(OpenBackend& opened, Backend asked_for, const std::function<Image(OpenBackend&)>& render);
 
 }  // namespace sphereview

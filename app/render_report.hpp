@@ -1,4 +1,4 @@
-// What is said of a picture that was rendered.
+// Reports on rendered pictures.
 #pragma once
 
 #include <cstddef>
@@ -16,28 +16,28 @@
 
 namespace sphereview {
 
-// What one render has to say: for people on stderr, for programs as a JSON line on stdout.
+// The report on one picture: for people on stderr, for programs as a JSON line on stdout.
 struct RenderReport {
     RenderJob job;
     std::size_t spheres = 0;
     std::string backend;                   // "" while none was opened
     std::string renderer;                  // OpenBackend::description
-    std::vector<std::string> passed_over;  // better ones, with reasons
+    std::vector<std::string> passed_over;  // better backends, with reasons
     Timings timings;
     PictureFacts facts;
     std::optional<Comparison> comparison;
     std::vector<std::string> warnings;    // of the scene's file, and of the picture
     std::vector<std::string> notes;       // of the file
-    std::vector<std::string> properties;  // that the file has of its spheres: their names
+    std::vector<std::string> properties;  // the names of all properties in the file
     AppliedLook look;
     ExitCode status = ExitCode::done;
     std::string error;  // "" when done
 };
 
-// On stderr: what `options` ask for (--verbose, --timings), and the error if there is one.
+// Prints what `options` ask for (--verbose, --timings), and the error if there is one, on stderr.
 void print_words(const RenderReport& report, const RenderOptions& options);
 
-// On stdout, as one line. Throws OutputError.
+// Prints the report on stdout, as one line. Throws OutputError.
 void print_json(const RenderReport& report, const RenderOptions& options);
 
 }  // namespace sphereview

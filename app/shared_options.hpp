@@ -21,7 +21,7 @@ namespace sphereview {
 
 inline std::string scene_files() { return "Scene file: " + listed(format_names(), "or") + "; - is standard input"; }
 
-// How a scene is read and from where it is seen: options of every command with scenes.
+// Options for reading scenes and for their cameras, of every command with scenes.
 inline void add_scene_options(CLI::App& command, DataOptions& data, FitOptions& fit) {
     add_option(command, data.frame,
                {"--frame", "N", "Which frame of several, from 0 [0]: " + listed(format_names(has_frames), "and") + " have them",
@@ -62,7 +62,7 @@ inline void add_scene_options(CLI::App& command, DataOptions& data, FitOptions& 
     forbidden->excludes(wanted)->excludes(side);
 }
 
-// What else of each sphere is read than place, size and colour.
+// The option for properties, which are read besides place, size and colour.
 inline void add_properties(CLI::App& command, DataOptions& data) {
     add_option(command, data,
                {"--properties", "LIST", "Keep what the file holds of each sphere: all, or names with commas between",
@@ -115,7 +115,7 @@ void add_colors(CLI::App& command, std::optional<Background>& background, Mode& 
                [](const std::string& text) { return shading_named(text); });
 }
 
-// Of the shading `studio`.
+// Options for the shading `studio`.
 inline void add_light(CLI::App& command, LightOptions& light) {
     add_option(command, light.lights,
                {"--lights", "K",
@@ -155,7 +155,7 @@ inline void add_light(CLI::App& command, LightOptions& light) {
                });
 }
 
-// Of an option that is about light.
+// Throws for an option about light without that shading.
 inline void check_shows_light(const std::string& option, Shading shading) {
     if (shading != Shading::studio) throw CLI::ValidationError(option + " needs --shade studio");
 }

@@ -1,4 +1,4 @@
-// Mistakes on the command line, in this program's words where CLI11's are hard to understand.
+// Messages for mistakes on the command line, where CLI11's are hard to understand.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,7 +9,7 @@
 
 namespace sphereview {
 
-// What CLI11 makes one line of: "NAME: found FOUND, expected EXPECTED".
+// Throws "NAME: found FOUND, expected EXPECTED", which CLI11 makes one line of.
 [[noreturn]] void wrong(const std::string& name, const std::string& found, std::string_view expected);
 
 // The command's option of that name, or null. CLI11's own search allocates in functions that are noexcept.
@@ -20,16 +20,16 @@ auto find_option(App& command, const std::string& name) {
     return found == options.end() ? nullptr : *found;
 }
 
-// Whether it is written like an option.
+// Whether `word` is written like an option.
 bool is_option(const std::string& word);
 
-// Refuses "--output=", for whose value CLI11 would take the next word, and "--json=no", of which it would make what it likes.
+// Refuses "--output=", for which CLI11 would take the next word as value, and "--json=no", whose value CLI11 would interpret.
 void check_values(const CLI::App& command, const std::vector<std::string>& words);
 
-// What the option's value should be, in the words of its messages; "" where there are none. Forgets the option's value.
+// The expected value in the option's messages; "" where there is none. Clears the option's value.
 std::string expected_value(CLI::Option& option);
 
-// What is wrong with what follows the command's name.
+// The message for an error in the words behind the command's name.
 std::string in_words(CLI::App& command, const CLI::ParseError& error);
 
 }  // namespace sphereview
