@@ -1,5 +1,5 @@
-// A box in the picture selects the spheres that are seen in it. Which these are may take seconds of exact work, so it is found out
-// beside the loop; where it takes no time, as nearly always, the selection is there in the same redraw.
+// Selects the spheres that are seen in a box of the picture. Finding them exactly may take seconds, so a job beside the loop does
+// it; nearly always it is done within the same redraw.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,11 @@ namespace sphereview {
 
 struct ViewerState;
 
-// The numbers of the spheres that pixels of the block show, which lies in the picture; ascending.
+// The numbers of the spheres that the block's pixels show, ascending. The block must lie in the picture.
 std::vector<std::uint32_t> spheres_seen(const Scene& scene, const Camera& camera, PictureSize size, const Block& block);
 
-// Selects what is seen in the block of the window's picture, now or later (state.selecting), unless something else is selected or
-// numbers become others meanwhile. Another one that is under way ends.
+// Selects what is seen in the block of the window's picture, now or later (state.selecting); not if the selection or the numbers
+// change meanwhile. Ends an earlier call's job.
 void select_seen(ViewerState& state, const Block& block, bool toggles);
 
 }  // namespace sphereview

@@ -1,4 +1,4 @@
-// A view that moves to another one by itself. Any key, button or wheel ends a flight, and so does whatever else moves the view.
+// Moves the view to another one by itself. Any key, button or wheel ends a flight, and so does whatever else moves the view.
 #pragma once
 
 #include <chrono>
@@ -9,7 +9,7 @@
 
 namespace sphereview {
 
-// From one camera to another in `duration`, turning about the pivot. Times are the caller's.
+// A flight from one camera to another in `duration`, turning about the pivot. The caller gives the times.
 class CameraFlight {
 public:
     using Time = std::chrono::steady_clock::time_point;
@@ -18,10 +18,10 @@ public:
     CameraFlight(const Camera& from, const Camera& to, const glm::dvec3& pivot)
         : from_(from), to_(to), last_(from), pivot_(pivot) {}
 
-    // The camera at that time; the flight begins with the first call. From `duration` on it is the one to arrive at, to the bit.
+    // The camera at that time; the flight begins with the first call. From `duration` on exactly the target.
     const Camera& advance(Time now);
     bool has_arrived() const { return last_ == to_; }
-    // What advance() gave last: if the view differs, something else has moved the view.
+    // The last result of advance(). If the view differs from it, something else has moved the view.
     const Camera& last() const { return last_; }
 
 private:

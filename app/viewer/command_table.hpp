@@ -1,4 +1,4 @@
-// Every command of the menus: what it is called, what it does, and when.
+// Every command of the menus.
 #pragma once
 
 #include <vector>

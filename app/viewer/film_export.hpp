@@ -1,4 +1,4 @@
-// File > Export film: what is asked, and what becomes of it beside the window's loop.
+// File > Export film: the dialog, and the film's job beside the window's loop.
 #pragma once
 
 #include <string>
@@ -10,17 +10,17 @@ namespace sphereview {
 struct ViewerState;
 struct FilmRequest;
 
-// Asks for a file, a size and the rest, and before it overwrites.
+// Asks for a file, a size and the rest; asks before it overwrites.
 void ask_for_film(ViewerState& state);
 
-// What is to be made of the view as it is now, of these choices, at `path`: a film's, or pictures' with {frame}. Throws InputError
-// for choices that cannot be.
+// The request for a film of the present view with these choices at `path`, or for pictures if `path` has {frame}. Throws InputError
+// for impossible choices.
 FilmRequest film_request(ViewerState& state, const FilmForm& form, const std::string& path, PictureSize size);
 
-// Begins to make it; none may be on its way.
+// Begins to make the film; no other may be in progress.
 void start_film(ViewerState& state, const FilmRequest& request);
 
-// Nothing is left of a film; of pictures those that are written. What has ended already is left to finish_work().
+// Cancels. A film leaves nothing, written pictures stay. A job that has ended already is left to finish_work().
 void cancel_film(ViewerState& state);
 
 }  // namespace sphereview

@@ -1,4 +1,4 @@
-// A film of a file's frames, or around a scene, made beside the window's loop: by the functions of `render --frames`, so that each
+// Makes a film of a file's frames, or around a scene, beside the window's loop, by the functions of `render --frames`, so each
 // picture has the same pixels.
 #pragma once
 
@@ -21,36 +21,34 @@ namespace sphereview {
 
 class Film;
 
-// What is to be made.
 struct FilmRequest {
-    // As `render` would be asked: one scene, a camera, and a movie or an output with {frame}; by the processor.
+    // The options of `render`: one scene, a camera, and a movie or an output with {frame}; on the CPU.
     RenderOptions options;
-    bool is_of_file = false;             // the frames of the scene's file; else a turntable of what is shown
-    FrameChanges changes{};              // of the file's frames; the light is that of what is shown, too
-    std::shared_ptr<const Scene> shown;  // the spheres in the window; of a file null
-    std::optional<Coloring> coloring{};  // of what is shown: what its colours stand for
+    bool is_of_file = false;             // the frames of the scene's file; else a turntable of `shown`
+    FrameChanges changes{};              // of the file's frames, with the window's light
+    std::shared_ptr<const Scene> shown;  // the spheres in the window; null with `is_of_file`
+    std::optional<Coloring> coloring{};  // what the colours of `shown` stand for
 };
 
-// How far it is; from any thread.
+// The progress of a film; usable from any thread.
 class FilmStatus {
 public:
     // 0 while the file is looked through for its frames.
     std::size_t pictures() const { return pictures_; }
     std::size_t done() const { return done_; }
-    // Of all, 0..1; before there are pictures, of the file.
+    // The finished part, 0..1; before there are pictures, the part of the file that was read.
     double part() const;
-    // Of the rest, by what the pictures took so far; nothing before there is any of that.
+    // Seconds for the rest, estimated by the pictures so far; nothing before the first.
     std::optional<double> seconds_left() const;
     std::vector<std::string> warnings() const;
 
-    // Ends an encoder that takes no more pictures: the work, which is cancelled, would wait for it. Whether there was a film that
-    // does not appear now.
+    // Ends an encoder that takes no more pictures, for which the cancelled work would wait. Returns whether a film was given up.
     bool give_up_film();
 
     // For the thread that makes it.
     void begin(std::size_t pictures);
     void set_film(Film* film);
-    // Of the file, and then of the pictures, or of the one that is being made: 0..1.
+    // The part of the file, then of the pictures or of the one being made: 0..1.
     void progress(double part) { part_ = part; }
     void add_done() { ++done_; }
     void warn(const std::vector<std::string>& lines);
@@ -66,7 +64,7 @@ private:
     Film* film_ = nullptr;  // while there is one
 };
 
-// Throws what cannot be, and Cancelled; a film appears whole or not at all, of pictures those stay that are written.
+// Makes the film. Throws on any fault, and Cancelled. A film appears whole or not at all; written pictures stay.
 void make_film(const FilmRequest& request, WorkControl& control, FilmStatus& status);
 
 }  // namespace sphereview

@@ -1,4 +1,4 @@
-// Frames of a file, read beside the window's loop before they are to be shown, and counted meanwhile.
+// Reads and counts frames of a file beside the window's loop, before they are shown.
 #pragma once
 
 #include <cstddef>
@@ -22,42 +22,40 @@ struct PassedFrame {
 
 class FramesAhead {
 public:
-    // Beyond so many bytes, about, no frame is read ahead.
+    // No frame is read ahead beyond about so many bytes.
     static constexpr std::size_t usual_most_bytes = std::size_t{64} << 20U;
     static constexpr std::size_t most_frames = 24;
 
-    // Opens `path` beside the caller. `options`: how each frame is read, but for its number.
+    // Opens `path` beside the caller. `options`: for each frame, without its number.
     FramesAhead(std::string path, LoadOptions options, std::size_t most_bytes = usual_most_bytes);
     // Ends the work, and waits for nothing.
     ~FramesAhead();
     FramesAhead(const FramesAhead&) = delete;
     FramesAhead& operator=(const FramesAhead&) = delete;
 
-    // What is to be read from now on, instead of what was: the first one in any case, then those behind as far as there is room.
-    // What is read already and not among them is forgotten.
+    // Replaces the frames to read: the first in any case, the others as far as there is room. Forgets other frames.
     void want(std::vector<std::int64_t> frames);
-    // Where the look is another than before, what is read is forgotten.
+    // A new look forgets all frames that were read.
     void set_look(const LookOptions& look);
 
-    // Gives a frame away that is read.
+    // Gives a frame away; nothing if it is not read yet.
     std::optional<LoadedScene> take(std::int64_t frame);
-    // The latest that came first when its reading began, and is not wanted any more now that it is read: who drags a handle sees
-    // where it passes.
+    // The latest frame that was wanted first when its reading began, but not now: it shows where a dragged handle passes.
     std::optional<PassedFrame> take_passed();
-    // The time of a frame that was read once, in the file's unit; nothing where the file says none.
+    // The time of a frame that was read, in the file's unit; nothing where the file has none.
     std::optional<double> time_of(std::int64_t frame) const;
-    // Why a frame that is wanted cannot be read.
+    // Why a wanted frame cannot be read.
     std::optional<std::string> fault_of(std::int64_t frame) const;
-    // Whether that is so of every frame: the file cannot be read.
+    // Whether the file cannot be read at all.
     bool has_no_file() const;
-    // Waits until the frame, which is wanted, is read or has a fault.
+    // Waits until a wanted frame is read or has a fault.
     void wait_for(std::int64_t frame) const;
 
     struct Count {
         std::int64_t frames = 0;  // known so far
-        bool all = false;         // and no more come
-        double part = 0.0;        // of the file that was looked through, 0..1
-        std::string fault{};      // that ends the file behind them
+        bool all = false;         // no more will come
+        double part = 0.0;        // the part of the file that was looked through, 0..1
+        std::string fault{};      // the fault behind the last frame, if any
     };
     Count count() const;
 

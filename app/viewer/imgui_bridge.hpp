@@ -11,10 +11,10 @@ struct ImGuiContext;
 
 namespace sphereview {
 
-// ImGui's context, fonts and renderer. Keys come from the window's events, so that any release of ImGui does.
+// ImGui's context, fonts and renderer. Keys come from the window's events, so any release of ImGui works.
 class ImguiBridge {
 public:
-    // Needs the window's context to be current. `text_scale`: what the person wants besides the system's scale.
+    // Needs the window's context to be current. `text_scale`: the person's, besides the system's.
     ImguiBridge(Window& window, double text_scale, Theme theme);
     ~ImguiBridge();
     ImguiBridge(const ImguiBridge&) = delete;
@@ -30,7 +30,7 @@ public:
     bool end_redraw();
     void render();
 
-    // How large sizes in ImGui's coordinates are to be drawn: 1 on usual screens.
+    // The factor for sizes in ImGui's coordinates: 1 on usual screens.
     float scale() const { return scale_; }
 
 private:
@@ -42,7 +42,7 @@ private:
     double text_scale_;
     Theme theme_;
     float scale_ = 0.0F;
-    float font_pixels_ = 0.0F;  // that the fonts were built for
+    float font_pixels_ = 0.0F;  // size of the built fonts
     std::size_t drawn_ = 0;     // a hash of what the last redraw draws
 };
 

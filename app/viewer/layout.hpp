@@ -1,4 +1,4 @@
-// Where the panels and the picture are in the window.
+// The places of the panels and of the picture in the window.
 #pragma once
 
 #include <imgui.h>
@@ -9,20 +9,19 @@
 
 namespace sphereview {
 
-// What the picture was like when the panels are drawn; one redraw old.
+// Facts about the picture for the panels; one redraw old.
 struct RedrawFacts {
     Status status;
     Inspection inspection;
     DialogKeys keys;
-    std::optional<ImTextureID> difference{};   // the comparison's picture that is chosen
-    std::optional<ImTextureID> seen_by_eye{};  // what the eye sees whose rays are shown
+    std::optional<ImTextureID> difference{};   // the chosen picture of the comparison
+    std::optional<ImTextureID> seen_by_eye{};  // the picture of the eye whose rays are shown
 };
 
-// The width of the side panel, in its setting's range, that is nearest to `wanted` and leaves the picture its place where `room`
-// is.
+// The width of the side panel nearest to `wanted`, within its setting's range, that leaves the picture enough of `room`.
 double panel_width_within(double wanted, double room);
 
-// Draws all panels and returns where that leaves the picture.
+// Draws all panels and returns the place that is left for the picture.
 Rectangle draw_panels(ViewerState& state, const PanelContext& context, const RedrawFacts& facts);
 
 }  // namespace sphereview

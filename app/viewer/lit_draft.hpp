@@ -1,4 +1,4 @@
-// A lit picture before there is an exact one, of what the window shows already.
+// A quick lit picture of what the window shows already, before the exact one.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,11 @@
 
 namespace sphereview {
 
-// What is asked for instead of the picture: one sample a pixel, and no more lights than a draft needs.
+// The options of the draft: one sample a pixel, and fewer lights.
 PictureOptions draft_options(const Scene& scene, PictureOptions options);
 
-// Lights the picture whose pixels show these spheres: numbers or visible_background, doubtful guesses marked, row by row. Calls
-// show() as light is added; `kept` is given which lights shine where.
+// Lights the picture whose pixels show the spheres `seen`: numbers or visible_background, doubtful guesses marked, row by row.
+// Calls show() as light is added. `kept` gets which lights shine where.
 Image lit_draft(const Scene& scene, const PictureOptions& options, std::span<const std::int32_t> seen,
                 const std::function<void(Image)>& show, KeptLight* kept = nullptr);
 

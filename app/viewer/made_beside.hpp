@@ -1,4 +1,4 @@
-// What is made beside the window's loop, again and again.
+// Results that are made beside the window's loop, again and again.
 #pragma once
 
 #include <chrono>
@@ -12,7 +12,7 @@
 
 namespace sphereview {
 
-// What one thread tells another.
+// A value that one thread hands to another.
 template <typename Value>
 class HandedOver {
 public:
@@ -31,14 +31,14 @@ private:
     Value value_;
 };
 
-// What is made beside the loop of what goes on changing: the latest is shown until there is a later one, and the next is begun when
-// the one before has ended, so that a drag shows many of them.
+// Makes a result for inputs that go on changing. The latest result stays until there is a later one; a new job begins when the one
+// before has ended, so a drag shows many results.
 template <typename Asked, typename Made>
 class MadeBeside {
 public:
     using Make = std::function<Made(WorkControl&)>;
 
-    // Begins, by what begin() returns, unless that is what was begun last or something is still being made.
+    // Begins the job that begin() returns, unless `asked` was begun last or a job still runs.
     void ask(const Asked& asked, const std::function<Make()>& begin) {
         if (job_ || begun_ == asked) return;
         begun_ = asked;
@@ -46,7 +46,7 @@ public:
         job_ = std::make_unique<BackgroundJob>(
             [found = making_, make = begin()](WorkControl& control) { *found = std::make_shared<const Made>(make(control)); });
     }
-    // Takes what has been made, if that is within the time; what failed leaves what there was. Returns whether something has ended.
+    // Takes the result of a job that ends within `time`; a failed job leaves the former result. Returns whether a job has ended.
     bool take(std::chrono::milliseconds time = std::chrono::milliseconds(0)) {
         if (!job_ || !job_->wait_for(time)) return false;
         job_.reset();
@@ -57,7 +57,7 @@ public:
         making_.reset();
         return true;
     }
-    // Has that made already.
+    // Sets a result that was made elsewhere.
     void set(const Asked& asked, std::shared_ptr<const Made> made) {
         begun_ = asked;
         made_of_ = asked;

@@ -1,4 +1,4 @@
-// What an earlier run has kept of unsaved changes (viewer/recovery.hpp) comes back into the window.
+// Brings unsaved changes that an earlier run kept (viewer/recovery.hpp) back into the window.
 #pragma once
 
 namespace sphereview {
@@ -6,11 +6,11 @@ namespace sphereview {
 struct Recovery;
 struct ViewerState;
 
-// Makes the kept scene the document, with changes that are not saved. Where it is of a frame of a file that is as it was, it is of
-// that frame again, with the other frames beside it.
+// Makes the kept scene the document, with unsaved changes. A kept frame of an unchanged file becomes that frame again, with the
+// other frames beside it.
 void recover(ViewerState& state, const Recovery& recovery);
 
-// Asks about each, the latest first; says on standard error what cannot be offered.
+// Asks about each recovery, the latest first. Says on standard error which cannot be offered.
 void offer_recovery(ViewerState& state);
 
 }  // namespace sphereview

@@ -11,12 +11,12 @@ namespace sphereview {
 // The picture is traced for every step-th pixel of each row and column.
 class Pacing {
 public:
-    // What a traced redraw took, in seconds, and what of it was drawing: the rest, lists mostly, shrinks less with the pixels. A
-    // redraw that takes too long makes the next one coarser at once. A coarse drawing has costs, too, that do not shrink with its
-    // pixels, so what a finer one would take is found out by trying, ever less often where that fails.
+    // Notes the seconds of a traced redraw and the part of it that was drawing; the rest, lists mostly, shrinks less with the
+    // pixels. A redraw that takes too long makes the next one coarser at once. What a finer one would take is tried, ever less
+    // often when that fails, because a coarse drawing has costs that do not shrink with its pixels.
     void traced(int step, double seconds, double drawing) {
         const int level = std::countr_zero(static_cast<unsigned>(step));
-        if (level < level_) {  // nothing moved, and the picture was made fine
+        if (level < level_) {  // nothing moved: the picture was refined
             if (seconds <= budget_) level_ = level;
             return;
         }
@@ -44,13 +44,12 @@ public:
         }
     }
 
-    // The step for a picture that is moving: 1 where the device is fast enough, at most 8, or what was traced instead; and no
-    // coarser than saves time.
+    // The step for a moving picture: 1 on a fast device, at most 8 or what was traced instead, and no coarser than saves time.
     int moving_step() const { return 1 << level_; }
 
     // Seconds for the trace of a moving picture.
     double budget() const { return budget_; }
-    // While a film plays: a whole redraw, of which so many seconds are not the trace, is to leave time for film_rate of them.
+    // Call while a film plays: redraws are to come film_rate times a second. `besides`: a redraw's seconds besides the trace.
     // `settles`: the next frames come soon enough for the panels to settle in their redraws.
     void play(double besides, bool settles) {
         settles_ = settles;
@@ -63,15 +62,15 @@ public:
         budget_ = redraw_budget;
     }
 
-    // Something happened: some redraws must be drawn, until the panels have settled.
+    // Something happened: draw until the panels have settled.
     void touch() {
         redraws_ = settles_ ? 1 : settling_redraws;
         more_ = settles_ ? 0 : most_more;
         goes_on_ = false;
     }
-    // There is another picture to show, which changes nothing of the panels.
+    // There is another picture to show, which does not change the panels.
     void show_once() { redraws_ = redraws_ > 0 ? redraws_ : 1; }
-    // A redraw was drawn. `panels_changed`: its panels differ from those of the redraw before, so they may not have settled yet.
+    // A redraw was drawn. `panels_changed`: its panels differ from the redraw before, so they may not have settled yet.
     void drew(int step, bool panels_changed = false) {
         if (redraws_ > 0) --redraws_;
         if (redraws_ == 0 && panels_changed && more_ > 0) {
@@ -84,36 +83,36 @@ public:
     // A part of a fine picture was drawn; there are others.
     void refined_a_part() { goes_on_ = true; }
 
-    // Whatever has happened is shown.
+    // Whether everything that happened is shown.
     bool is_settled() const { return redraws_ == 0; }
-    // Nothing is to be drawn before the next event.
+    // Whether nothing is to be drawn before the next event.
     bool rests() const { return redraws_ == 0 && !coarse_; }
-    // How long to wait for events before the next redraw; nothing: until one comes.
+    // Seconds to wait for events before the next redraw; nothing: until an event comes.
     std::optional<double> patience() const {
         if (redraws_ > 0) return 0.0;
         if (!coarse_) return std::nullopt;
         return goes_on_ ? 0.0 : refine_after;
     }
-    // Whether nothing moves, and the picture is coarse: time to make it fine.
+    // Whether to refine the picture: nothing moves, and it is coarse.
     bool refines() const { return redraws_ == 0 && coarse_; }
 
     // Seconds for the trace of a moving picture; with what shows it, about 30 ms a redraw.
     static constexpr double redraw_budget = 0.024;
     static constexpr double film_rate = 24.0;     // redraws a second, at least
     static constexpr double refine_after = 0.08;  // seconds without an event
-    // Seconds for what is drawn of a fine picture before the next look for events.
+    // Seconds for drawing a fine picture before the next look for events.
     static constexpr double refine_budget = 0.016;
     static constexpr double look_again = 0.01;  // seconds, while another thread works
 
 private:
     static constexpr int coarsest = 3;        // the step is 2^3
-    static constexpr double film_part = 0.9;  // of the time between two redraws: the rest is for what comes between
+    static constexpr double film_part = 0.9;  // of the time between two redraws, for the redraw itself
     static constexpr double least_budget = 0.005;
     static constexpr double worth_it = 0.9;
     static constexpr int short_pause = 60;  // redraws
     static constexpr int long_pause = 480;
 
-    // After a finer redraw that was tried and took too long.
+    // A finer redraw was tried and took too long.
     void pause() { wait_ = pause_ = std::clamp(2 * pause_, short_pause, long_pause); }
 
     void become_coarser(double seconds, double drawing) {
@@ -128,26 +127,26 @@ private:
         } while (level_ < coarsest && lists + drawing > budget_);
     }
 
-    // ImGui shows what a click did in the next redraw, and places what is new in the one after that.
+    // ImGui shows a click's effect in the next redraw, and places new widgets in the one after that.
     static constexpr int settling_redraws = 3;
-    // A window's scroll bar changes how wide its content is, and so how high: that may take some redraws more. A bound, in case
-    // something goes to and fro.
+    // A scroll bar changes its content's width, and so its height, which may take more redraws. Bounded, in case they alternate for
+    // ever.
     static constexpr int most_more = 8;
 
     int redraws_ = settling_redraws;
-    int more_ = most_more;  // so many redraws may be added while panels change
+    int more_ = most_more;  // redraws that may be added while panels change
     bool coarse_ = false;
-    bool goes_on_ = false;       // a part of the fine picture is drawn
+    bool goes_on_ = false;       // a part of the fine picture is drawn, more follow
     int level_ = 0;              // the step of what moves is 2^this
     bool tries_ = false;         // the last redraw was made finer
-    int wait_ = 0;               // so many redraws before the next try,
-    int pause_ = 0;              // and as many as that were after the last that failed
-    int left_level_ = 0;         // from which the last redraw was made coarser,
-    double left_seconds_ = 0.0;  // where one took so long; 0: it was not
-    int stays_ = 0;              // so many redraws that are not made coarser
+    int wait_ = 0;               // redraws before the next try
+    int pause_ = 0;              // redraws that wait_ began with after the last failed try
+    int left_level_ = 0;         // the level before the last redraw was made coarser
+    double left_seconds_ = 0.0;  // what a redraw took at that level; 0: not made coarser
+    int stays_ = 0;              // redraws that are not made coarser yet
     bool settles_ = false;       // in the redraws of a film
     double budget_ = redraw_budget;
-    double besides_ = 0.0;  // seconds of a redraw of a film besides the trace, of late; 0: none was drawn
+    double besides_ = 0.0;  // recent seconds of a film's redraw besides the trace; 0: none yet
 };
 
 }  // namespace sphereview

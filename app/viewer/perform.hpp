@@ -1,4 +1,4 @@
-// Doing what panels, keys and the mouse ask for.
+// Carries out what panels, keys and the mouse ask for.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,10 @@ namespace sphereview {
 
 void perform(ViewerState& state, std::vector<Action> actions);
 
-// An edit, with what it does to the selection and to the view.
+// Applies an edit, and its consequences for selection and view.
 void apply(ViewerState& state, EditScene action);
 
-// A view that shows the scene's camera goes along where that was edited as a view.
+// If the view shows the scene's camera, it follows changes of that camera that were made through the view.
 void undo(ViewerState& state);
 void redo(ViewerState& state);
 

@@ -1,4 +1,4 @@
-// File > Compare with picture: what `sphereview compare` does, beside the window's loop.
+// File > Compare with picture: `sphereview compare` beside the window's loop.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace sphereview {
 
 struct ViewerState;
 
-// What is shown of a comparison.
+// A comparison as it is shown.
 struct ShownComparison {
     ComparisonWords words;
     // Null for an equal picture.
@@ -28,8 +28,8 @@ struct ShownComparison {
 // Asks for a picture, then compares it.
 void ask_for_comparison(ViewerState& state);
 
-// Begins to compare the picture with the right one of the scene as it is now, seen by the scene's own camera, instead of what is
-// being compared now. Says why where that cannot be done.
+// Begins to compare a picture with the right one of the present scene by its own camera. Cancels an earlier comparison. Shows an
+// error if that is impossible.
 void compare_with(ViewerState& state, const std::string& path);
 
 }  // namespace sphereview

@@ -1,4 +1,4 @@
-// A finished picture as the window's panels draw it: the difference of a comparison, or what an eye sees.
+// A finished picture for the window's panels: the difference of a comparison, or what an eye sees.
 #pragma once
 
 #include <imgui.h>
@@ -11,10 +11,10 @@
 
 namespace sphereview {
 
-// A picture in the window's context, for ImGui, which draws it smaller than it is.
+// A picture in the window's context, which ImGui draws at a smaller size.
 class PictureTexture {
 public:
-    // Nothing for no picture, and for one that is larger than the context's textures.
+    // The picture's texture; nothing for null and for a picture larger than textures can be.
     std::optional<ImTextureID> follow(const std::shared_ptr<const Image>& picture);
 
 private:

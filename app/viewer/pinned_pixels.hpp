@@ -1,4 +1,4 @@
-// The pixels that the inspector holds, and their words.
+// The pixels that the inspector explains.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace sphereview {
 class LivePicture;
 struct ViewerState;
 
-// A pixel of a picture of that size. So its ray stays the same when the window's picture gets another size.
+// A pixel of a picture of that size: its ray stays the same when the window's picture gets another size.
 struct PinnedPixel {
     Pixel pixel;
     PictureSize size;
@@ -25,35 +25,34 @@ struct PinnedPixels {
     std::optional<PinnedPixel> first{};
     std::optional<PinnedPixel> second{};  // only beside a first
     bool second_is_next = false;          // the next click pins the second
-    std::optional<PinnedPixel> last{};    // what was under the pointer last, which is shown while nothing is pinned
+    std::optional<PinnedPixel> last{};    // the last pixel under the pointer, shown while nothing is pinned
 
-    // The explanations that take long, of the first and of the second.
+    // Slow explanations of the first and the second pixel.
     using Explained = MadeBeside<InspectedPlace, InspectedPixel>;
     Explained explained_first{};
     Explained explained_second{};
 };
 
-// `beside`: as the second, if there is a first.
+// `beside`: pins as the second, if there is a first.
 void pin(PinnedPixels& pins, const PinnedPixel& pixel, bool beside);
 
-// Lets go of what was asked for last: the question for a second, the second, the first. Returns whether there was anything.
+// Takes back the last step: the question for a second, the second, the first. Returns whether there was one.
 bool let_go(PinnedPixels& pins);
 
-// Where a picture of another size shows the pixel's ray, in pixels from its top left corner.
+// The place of the pixel's ray in a picture of another size, in pixels from the top left corner.
 glm::dvec2 place_in(PictureSize size, const PinnedPixel& pixel);
 
-// Brings what the inspector shows up to date: of the pinned pixels, else of the one under the pointer, as the picture's last
-// update() saw them, or the eye whose rays are shown. `moves`: the view or a sphere does, and what takes time waits. A pixel with
-// hundreds of spheres on its ray is explained beside the loop: until that is there, what there was is shown. Returns how many
-// explanations are new.
+// Updates the inspection of the pinned pixels, or of the one under the pointer, as the picture's last update() or the eye of the
+// shown rays saw them. `moves`: the view or a sphere moves, so slow work waits. A pixel with hundreds of spheres on its ray is
+// explained beside the loop; the former explanation stays meanwhile. Returns the number of new explanations.
 std::size_t inspect(ViewerState& state, const LivePicture& picture, const std::optional<PinnedPixel>& under_pointer, bool moves,
                     Inspection& inspection);
 
-// Whether an explanation is being made beside the loop, and whether one of them has ended.
+// Whether an explanation is being made beside the loop; takes an ended one and returns whether there was any.
 bool explains_beside(const ViewerState& state);
 bool take_explained(ViewerState& state);
 
-// Does what the inspector asks for; a copy goes on beside the loop (state.copying).
+// Carries out a wish of the inspector; copying goes on beside the loop (state.copying).
 void grant(ViewerState& state, InspectorWish wish);
 
 }  // namespace sphereview

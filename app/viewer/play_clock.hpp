@@ -1,4 +1,4 @@
-// When the next frame of a film is due, and which one it is. Knows no clock of its own: it is told the time.
+// When the next frame of a film is due, and which one it is. The caller gives the time.
 #pragma once
 
 #include <chrono>
@@ -10,7 +10,7 @@
 
 namespace sphereview {
 
-// Of a file: how many frames are known, and whether these are all.
+// How many frames of a file are known, and whether these are all.
 struct KnownFrames {
     std::int64_t frames = 1;
     bool all = true;
@@ -19,24 +19,24 @@ struct KnownFrames {
 class PlayClock {
 public:
     using Time = std::chrono::steady_clock::time_point;
-    using Beat = Time::duration;  // between a frame and the next
+    using Beat = Time::duration;  // from a frame to the next
 
     bool plays() const { return plays_; }
-    // The first frame is due a while after that.
+    // The first frame is due one beat later.
     void play(Time now);
     void pause() { plays_ = false; }
 
     // When the next frame is due.
     Time due(Beat beat) const { return last_ + beat; }
-    // A frame has come to be shown, to which that was the beat. Those behind keep the beat; what is more than a beat late is not
-    // caught up with.
+    // A frame is shown, `beat` after the one before. The next frames keep the beat, but a delay of more than a beat is not caught
+    // up.
     void shown(Beat beat, Time now);
-    // While something is in the hand no frame comes.
+    // Call while something is dragged: no frame comes.
     void hold(Time now) { last_ = now; }
 
-    // Which one that is, and the next turns are from there. Nothing where the film ends, or waits for frames to be found.
+    // Steps to the next frame. Nothing where the film ends, or waits for frames to be found.
     std::optional<std::int64_t> step_from(std::int64_t frame, Repeat repeat, const KnownFrames& known);
-    // Those that step_from() will give one after the other, so many at most.
+    // The next frames that step_from() will give, at most `most`.
     std::vector<std::int64_t> next_ones(std::int64_t frame, Repeat repeat, const KnownFrames& known, std::size_t most) const;
 
 private:

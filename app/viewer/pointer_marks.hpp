@@ -1,5 +1,4 @@
-// What is drawn over the picture of what the mouse does in it: the box that selects, the point that the view turns about, the
-// pinned pixels; and the edge of an export.
+// Marks over the picture: the selection box, the point that the view turns about, pinned pixels, and the edge of an export.
 #pragma once
 
 #include <imgui.h>
@@ -13,7 +12,7 @@ namespace sphereview {
 struct ViewerState;
 class MouseControl;
 
-// The layer behind ImGui's windows, cut off at the picture's edges while this lives.
+// The layer behind ImGui's windows, clipped to the picture while this lives.
 class OverPicture {
 public:
     explicit OverPicture(const Rectangle& picture) : list_(*ImGui::GetBackgroundDrawList()) {
@@ -30,13 +29,13 @@ private:
     ImDrawList& list_;
 };
 
-// Where a place in the picture is on the screen. `pixels`: of a screen coordinate.
+// A place of the picture in screen coordinates. `pixels`: a screen coordinate's.
 ImVec2 on_screen(const Rectangle& picture, double pixels, const glm::dvec2& place);
 
-// The box, the point and the pins, where they are.
+// Draws the box, the point and the pins.
 void draw_pointer_marks(const ViewerState& state, const MouseControl& mouse, const Rectangle& picture, double pixels, float scale);
 
-// Marks what an export shows of the picture, where that is not all. Not over rays in space.
+// Marks the part of the picture that an export shows, unless that is all. Not over rays in space.
 void draw_export_area(const ViewerState& state, const Rectangle& picture);
 
 }  // namespace sphereview

@@ -1,4 +1,4 @@
-// What the rays in space are drawn with: lines, marks and words over a picture, faint where a sphere is in front of them.
+// Draws lines, marks and words of the rays in space over a picture, faint where a sphere is in front of them.
 #pragma once
 
 #include <imgui.h>
@@ -19,11 +19,11 @@ namespace sphereview {
 
 struct ViewerState;
 
-// What the rays are drawn over: the window's picture and where it is.
+// The window's picture under the rays.
 struct DrawnOver {
-    const SeenTexels& seen;  // of the window's picture as it is now
+    const SeenTexels& seen;  // by the present picture
     Rectangle area;
-    double pixels = 1.0;  // of a screen coordinate
+    double pixels = 1.0;  // a screen coordinate's
     float scale = 1.0F;
 };
 
@@ -44,7 +44,7 @@ inline constexpr Ink second_ink{120, 205, 255, 1.0};
 inline constexpr Ink sun_ink{255, 176, 46, 1.0};
 inline constexpr Ink dark_ink{10, 12, 18, 0.75};
 
-// What is seen on the picture's background.
+// Inks that are visible on the picture's background.
 struct Inks {
     Ink edge{235, 240, 250, 0.85};
     Ink grid{235, 240, 250, 0.30};
@@ -52,7 +52,7 @@ struct Inks {
     Ink missed{170, 180, 200, 0.32};
     bool on_light = false;
 
-    // The colour of what a ray hits, lighter on a dark ground and darker on a light one.
+    // The colour of the sphere that a ray hits, lighter on a dark ground and darker on a light one.
     Ink of(const Scene& scene, std::int32_t number) const {
         if (!has_sphere(scene, number)) return missed;
         const Color& color = scene.spheres[static_cast<std::size_t>(number)].color;
@@ -63,12 +63,12 @@ struct Inks {
 
 Inks inks_on(const Background& background);
 
-inline constexpr double behind_sphere = 0.22;  // how much of its opacity a hidden line keeps
+inline constexpr double behind_sphere = 0.22;  // the part of its opacity that a hidden line keeps
 
-// A line is asked every so many screen coordinates whether it is hidden.
+// Screen coordinates between two tests whether a line is hidden.
 inline constexpr double usual_step = 2.0;
 
-// `state` and `over` must outlive it.
+// `state` and `over` must outlive this object.
 class RayCanvas {
 public:
     RayCanvas(const ViewerState& state, const DrawnOver& over);
@@ -76,9 +76,9 @@ public:
     ImDrawList& list() const { return draw_; }
     const DrawnOver& over() const { return over_; }
 
-    // Of places in the picture, in its pixels.
+    // The screen coordinates of a place in the picture, in its pixels.
     ImVec2 on_window(const glm::dvec2& place) const;
-    // Of points of the scene: nothing of what is behind the eye.
+    // The places of points of the scene; nothing for points behind the eye.
     std::optional<glm::dvec2> place(const glm::dvec3& point) const;
     std::optional<ProjectedLine> projected(const glm::dvec3& from, const glm::dvec3& to) const;
     bool is_hidden(const glm::dvec3& point) const;
@@ -86,7 +86,7 @@ public:
     void line(const glm::dvec3& from, const glm::dvec3& to, const Ink& ink, float width, double step = usual_step) const;
     void dot_at(const glm::dvec3& point, const Ink& ink, float radius) const;
     void ring_at(const glm::dvec3& point, const Ink& ink, float radius) const;
-    // On a dark ground, around a place on the window.
+    // Words on a dark ground, centred at a place of the window.
     void words(ImVec2 middle, const std::string& text, const Ink& ink) const;
 
 private:

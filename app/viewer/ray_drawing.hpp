@@ -13,11 +13,11 @@ namespace sphereview {
 
 struct ViewerState;
 
-// The middle of what the rays go through, while they are shown.
+// The middle of all that the shown rays go through; nothing while none are shown.
 std::optional<glm::dvec3> middle_of_rays(const ViewerState& state);
 
-// `seen_by_eye`: the picture on the screen. `inspection`: of the pixels whose rays are drawn singly. What lies behind a sphere is
-// drawn faintly: where a ray goes on is what the drawing is for.
+// `seen_by_eye`: the picture on the eye's screen. `inspection`: of the pixels whose rays are drawn singly. Parts behind a sphere
+// are drawn faintly, because the drawing is to show where rays go on.
 void draw_rays(const ViewerState& state, const Inspection& inspection, const std::optional<ImTextureID>& seen_by_eye,
                const DrawnOver& over);
 

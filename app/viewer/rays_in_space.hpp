@@ -1,6 +1,5 @@
-// View > Rays: the scene from beside, with an eye, its screen and its rays drawn over the picture. A way to look, no edit: nothing
-// of it is saved or undone. What is seen from beside is a picture like any other, of the same renderers; the eye is the view that
-// there was when the rays were shown.
+// View > Rays: the scene seen from beside, with an eye, its screen and its rays drawn over the picture. This is no edit: nothing of
+// it is saved or undone. The picture from beside is made as any other; the eye is the former view.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +17,7 @@ namespace sphereview {
 
 struct ViewerState;
 
-// All that the drawn rays depend on, and all that the eye's picture does.
+// All that the drawn rays, and the eye's picture, depend on.
 struct AskedRays {
     std::uint64_t revision = 0;  // of the document
     RayChoice choice{};
@@ -35,48 +34,47 @@ struct AskedPicture {
 
 struct RaysInSpace {
     bool on = false;
-    RayChoice choice{RaysShown::one, 0, 0};  // 0: what suits the picture
+    RayChoice choice{RaysShown::one, 0, 0};  // 0: chosen by the picture
 
     // While they are shown:
     Camera camera{};                   // the eye's
-    PictureSize size{};                // of its picture
-    double screen_depth = 1.0;         // how deep its screen is drawn (camera/beside.hpp)
-    double far_depth = 1.0;            // and the end of rays that hit nothing
-    std::vector<glm::dvec3> to_see{};  // what is to be seen from beside
-    bool flies = false;                // to where that is seen, once that is known
-    int waits = 0;                     // so many redraws for what is drawn over the picture to have its size
-    std::optional<Camera> beside{};    // where that was, in a picture of this size:
+    PictureSize size{};                // of the eye's picture
+    double screen_depth = 1.0;         // depth of the drawn screen (camera/beside.hpp)
+    double far_depth = 1.0;            // depth of the ends of rays that hit nothing
+    std::vector<glm::dvec3> to_see{};  // points that the view from beside must see
+    bool flies = false;                // flies to that view once it is known
+    int waits = 0;                     // redraws until the panels over the picture have their size
+    std::optional<Camera> beside{};    // that view, in a picture of this size
     PictureSize beside_size{};
-    glm::dvec3 pivot{};                    // of the view before
+    glm::dvec3 pivot{};                    // of the former view
     std::optional<PinnedPixel> pointed{};  // the eye's pixel under the pointer
-    ImVec2 panel{};                        // how far it reaches from the picture's upper left corner
+    ImVec2 panel{};                        // its lower right end from the picture's upper left corner
     bool axes_beside = false;              // the axes are right of the panel, which reaches down to them
     MadeBeside<AskedRays, std::vector<TracedRay>> rays{};
     MadeBeside<AskedPicture, Image> picture{};
 };
 
-// Shows the rays of the view. The view is to be moved by fly_beside().
+// Shows the rays of the view. fly_beside() moves the view.
 void show_rays(ViewerState& state);
-// Flies to where the eye and what it sees are seen from beside, if that is still to be done, or to be done anew because the picture
-// has another size and nobody has moved the view since; `covered`: as for camera_beside().
+// Flies to a view of the eye and what it sees, if not done yet, or again when the picture got another size and nobody moved the
+// view. `covered`: as for camera_beside().
 void fly_beside(ViewerState& state, const glm::dvec2& covered);
-// Ends that, and flies back.
+// Hides the rays and flies back.
 void end_rays(ViewerState& state);
 
-// Brings what is made beside the loop up to date with the document, the settings and the pixel. What is quickly made is there when
-// it returns.
+// Brings the rays and the eye's picture up to date with the document, the settings and the pixel. Quick results are there on
+// return, others come by take_rays().
 void follow_rays(ViewerState& state);
-// Whether something that was being made has come.
+// Takes finished results; returns whether there were any.
 bool take_rays(ViewerState& state);
 bool makes_rays(const ViewerState& state);
 
-// The eye's pixel that is at a place of the window's picture, which shows that sphere there, or visible_background: of the screen,
-// or the one whose ray leads to the point of the sphere, whichever is in front. `on_screen`: of the screen alone, where nothing
-// hides it.
+// The eye's pixel at a place of the window's picture: the drawn screen's, or the one whose ray leads to the seen point of the
+// sphere `visible`, whichever is in front. `on_screen`: the screen's alone, where nothing hides it.
 std::optional<PinnedPixel> eye_pixel_at(const ViewerState& state, const glm::dvec2& place, std::int32_t visible,
                                         bool on_screen = false);
 
-// What the panel shows of them; `first`: what is inspected.
+// What the panel shows of the rays. `first`: the inspected pixel.
 RaysFacts facts_of_rays(const ViewerState& state, const std::optional<InspectedPixel>& first);
 
 }  // namespace sphereview
