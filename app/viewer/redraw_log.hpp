@@ -1,4 +1,4 @@
-// One JSON line a redraw, for programs that drive the window: where its widgets are, what it shows, whether it rests.
+// Writes a JSON line for each redraw, for programs that drive the window: its widgets' places, what it shows, whether it rests.
 #pragma once
 
 #include <cstdio>
@@ -16,10 +16,10 @@ struct LoggedRedraw {
     std::uint64_t explanations = 0;  // how often a pixel's arithmetic was made for the inspector
     bool exact = false;              // the picture is what `render` writes
     bool making = false;             // that picture is being made
-    std::optional<double> draft;     // seconds from when the picture was begun of which a draft is shown
-    bool resting = false;            // nothing waits to be done: the next redraw comes with the next event
+    std::optional<double> draft;     // seconds from the picture's beginning to its shown draft
+    bool resting = false;            // the next redraw comes with the next event
     Rectangle picture;
-    double seconds = 0.0;  // from the first of its events to the swap
+    double seconds = 0.0;  // from the redraw's first event to the swap
     std::string title;
 };
 

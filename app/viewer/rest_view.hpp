@@ -1,4 +1,4 @@
-// What the window shows when nothing moves: the picture that `render` writes, or a draft on the way to it.
+// The picture that the window shows when nothing moves: the one that `render` writes, or a draft of it.
 #pragma once
 
 #include <memory>
@@ -12,38 +12,38 @@ namespace sphereview {
 class RestView {
 public:
     enum class News { none, draft, end };
-    // What has come, since the last call, of the picture that is being made.
+    // What has become of the picture since the last call.
     News look(const ViewerState& state);
 
-    // At the beginning of a redraw: forgets the picture if the window has come to show something else. What is finished from now on
-    // is shown by the next redraw.
+    // Call at the beginning of a redraw: forgets the picture if the window shows something else now. A picture that ends later is
+    // left to the next redraw.
     void settle(ViewerState& state);
-    // Whether what settle() left is finished: then it is what the redraw shows.
+    // Whether settle() left a finished picture, which the redraw shows.
     bool is_exact() const { return exact_; }
-    // Uploads the best there is. Returns whether that is instead of the traced picture.
+    // Uploads the best draft or the picture. Returns whether it replaces the traced picture.
     bool upload(const ViewerState& state, LivePicture& picture);
-    // At the end of a redraw; `rests`: nothing else is to be drawn. Then the picture is begun, if it is not there.
+    // Call at the end of a redraw. `rests`: nothing else is to be drawn, so a missing picture is begun.
     void end_redraw(ViewerState& state, const LivePicture& picture, bool rests);
 
     // Whether the picture is being made.
     bool works() const { return works_; }
-    // When a draft has come to be shown, in seconds since its picture was begun; nothing while none is shown.
+    // Seconds from the picture's beginning to its shown draft; nothing while none is shown.
     std::optional<double> draft_seconds(const ViewerState& state) const;
 
 private:
-    std::shared_ptr<const Image> uploaded_;   // what the window's context holds
+    std::shared_ptr<const Image> uploaded_;   // the image in the window's context
     std::shared_ptr<const Image> previewed_;  // the latest draft that a redraw was asked for
     bool exact_ = false;
-    bool kept_ = false;   // the picture is the one that there was when the redraw began,
-    bool ended_ = false;  // and its job had ended
+    bool kept_ = false;   // the picture of the redraw's beginning stayed
+    bool ended_ = false;  // its job had ended then
     bool works_ = false;
 };
 
-// A hint for whoever has lost the scene out of sight.
+// A hint when the scene is out of sight.
 class LostHint {
 public:
-    // Takes the hint away when the view or the scene is another; at rest, gives it where the picture shows nothing of a scene that
-    // has something to show. Returns whether it has come.
+    // Removes the hint when the view or the scene changes. At rest shows it if the picture shows no sphere of a scene that has
+    // some. Returns whether the hint has appeared.
     bool update(ViewerState& state, const LivePicture& picture, bool rests);
 
 private:

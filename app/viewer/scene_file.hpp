@@ -9,33 +9,33 @@
 
 namespace sphereview {
 
-// How to read that frame of the file at `path`. A scene that has a camera keeps it: of such a one only the view may be fitted.
+// Options for reading that frame of the file at `path`. A scene with a camera keeps it.
 LoadOptions load_options(const ViewerState& state, const std::string& path, std::int64_t frame);
 
 // Takes over a scene that was read from `path` ("-" and "" have no file).
 void adopt(ViewerState& state, LoadedScene loaded, const std::string& path);
 
-// Each asks what there is to ask, in dialogs, before anything is lost.
+// Each asks in dialogs before anything is lost.
 void new_scene(ViewerState& state);
 void open_scene(ViewerState& state, const std::string& path);
 void ask_for_scene(ViewerState& state);
-// A dialog that begins where the scene's files are, with the folders of the recent ones to choose from.
+// A dialog that begins in the scene's folder, and offers the folders of recent files.
 FileBrowser file_dialog(const ViewerState& state);
-// The same to save: at first at `path`, with what went wrong with it.
+// The same for saving; begins with `path` and the fault of an earlier try.
 FileBrowser saving_dialog(const ViewerState& state, const std::string& title, const std::string& path,
                           const std::string& fault = "");
-// The formats that are `wanted`, as such a dialog offers them.
+// The `wanted` formats for such a dialog.
 std::vector<FileKind> kinds_of(bool (*wanted)(const SceneFormat&));
 
-// The document becomes another frame of its file, which was as `stamp` says. `first` is to be said before what the reader says.
+// The document becomes another frame of its file. `stamp`: the file's when it was read. `first`: a message before the reader's.
 void adopt_frame(ViewerState& state, std::int64_t frame, LoadedScene loaded, const FileStates& stamp,
                  const std::string& first = "");
 
-// Reads the file again if it is not as the program left it. A broken file leaves the scene as it is, and says so, and so does one
-// that is gone; edits that are not saved are lost only if the person says so.
+// Reads the file again if it has changed on disk. A broken or missing file is reported and leaves the scene as it is. Asks before
+// unsaved edits would be lost.
 void look_at_file(ViewerState& state);
 
-// The file is as it should be: nothing more is said of it.
+// Removes messages about the file, which is all right again.
 void forget_file_messages(ViewerState& state);
 
 }  // namespace sphereview

@@ -1,5 +1,4 @@
-// What a file holds of each sphere besides place, size and colour: of small scenes it is read with them, of others when it is asked
-// for.
+// The properties in the scene's file. They are read with small scenes, and when they are asked for with large ones.
 #pragma once
 
 #include <cstddef>
@@ -13,19 +12,18 @@ struct ViewerState;
 
 inline constexpr std::size_t most_spheres_with_properties = 100'000;
 
-// Notes what a file has, whose scene is now the document's.
+// Notes the properties of the file whose scene has become the document.
 void note_properties(ViewerState& state, const LoadedScene& loaded);
 
-// Whether the file has some that the scene has not.
+// Whether the file has properties that the scene lacks.
 bool has_unread_properties(const ViewerState& state);
 
-// Reads the file again beside the loop, and gives its properties to the scene, unless the file has
-// changed meanwhile. Where spheres have come, gone or changed places, those get values that are where the file has them. Does
-// nothing where all are read, or while something is read or written. Where they cannot be read, they count as not there.
+// Reads the file's properties beside the loop and gives them to the scene, unless the file has changed. If spheres were added,
+// deleted or reordered, those get values that are where the file has them. Does nothing if all are read, or while a file is read or
+// written. Properties that cannot be read count as missing.
 void request_properties(ViewerState& state);
 
-// The names of those whose values the status bar tells of the sphere under the pointer: what the list is filtered by, and
-// what the spheres are coloured by.
+// The properties that the status bar tells of the sphere under the pointer: those of the list's filter and of the colours.
 std::vector<std::string> told_properties(const ViewerState& state);
 
 }  // namespace sphereview

@@ -1,4 +1,4 @@
-// What the viewer keeps from one run to the next, in the platform's folder for settings.
+// The viewer's settings, kept from run to run in base/user_folders.hpp's config_folder().
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace sphereview {
 
-// What a setting may be; a file that says otherwise is not believed.
+// The range of a setting. A value of the file beyond it is ignored.
 template <typename T>
 struct SettingRange {
     T least;
@@ -31,7 +31,7 @@ struct ViewerSettings {
     WindowPlace place;
     double panel_width = 360.0;       // screen coordinates
     double inspector_width = 400.0;   // likewise
-    double text_scale = 1.0;          // times what the system wants
+    double text_scale = 1.0;          // factor beside the system's
     std::vector<std::string> recent;  // absolute paths, the latest first, each once, at most `most_recent`
     int export_width = 1000;
     int export_height = 1000;
@@ -43,25 +43,24 @@ struct ViewerSettings {
     bool light_theme = false;
     bool axes_shown = true;
     bool scale_bar_shown = false;
-    bool legend_shown = true;     // of colours that stand for something
-    bool marks_exported = false;  // what is shown of these three
+    bool legend_shown = true;     // where colours stand for values
+    bool marks_exported = false;  // draws what is shown of these three into exports
 
     bool operator==(const ViewerSettings&) const = default;
 };
 
-// The path from the root, without . and ..; as it is where the system names no current folder.
+// The path from the root, without . and ..; unchanged where the system names no current folder.
 std::string absolute_path(const std::string& path);
 
-// The path, made absolute, becomes the latest.
+// Makes the path, as an absolute one, the latest.
 void add_recent(ViewerSettings& settings, const std::string& path);
 void remove_recent(ViewerSettings& settings, const std::string& path);
 
-// What was saved last; the default for each setting that is missing, broken or out of its range. `fault` gets what is wrong with a
-// file that cannot be read at all: "FILE:LINE:COLUMN: what was found".
+// The settings that were saved last; the default for each that is missing, broken or out of its range. `fault` gets the message
+// "FILE:LINE:COLUMN: ..." for a file that cannot be read at all.
 ViewerSettings load_settings(std::string* fault = nullptr);
 
-// Returns false when that cannot be done. What another version of the program keeps in the same file stays. A path that is not
-// UTF-8 is left out: JSON cannot hold it.
+// False on failure. Keeps other versions' settings in the same file. Leaves out paths that are not UTF-8, which JSON cannot hold.
 bool save_settings(const ViewerSettings& settings) noexcept;
 
 }  // namespace sphereview

@@ -1,5 +1,5 @@
-// What the window draws over its picture to say which way it looks and how large things are: the axes, which can be clicked and
-// dragged, and the scale bar. The same lines as in an export (app/picture_marks.hpp), as large as the window's text asks.
+// Draws the axes, which can be clicked and dragged, the scale bar and other marks over the window's picture, with the lines of an
+// export (app/picture_marks.hpp) in the size of the window's text.
 #pragma once
 
 #include <span>
@@ -13,24 +13,24 @@ namespace sphereview {
 
 struct ViewerState;
 
-// The axes in the hand.
+// A drag of the axes.
 struct AxesInHand {
-    bool turns = false;          // the pointer has left the place where it went down
-    ImVec2 applied{0.0F, 0.0F};  // how far it had moved when the view was turned last
+    bool turns = false;          // the pointer has left the place of the press
+    ImVec2 applied{0.0F, 0.0F};  // the pointer's way when the view was turned last
 };
 
-// To be called after the panels: `picture` is what they leave. `pixels`: of a screen coordinate. A click on an axis' end turns the
-// view until it looks along that axis from there, or from the other end where it does already; a drag turns it about the pivot.
-// Widgets: "axes" and, for each end, "axis +x", "axis -z".
+// Call after the panels; `picture`: the place that they leave. `pixels`: a screen coordinate's. A click on an axis' end turns the
+// view to look along that axis from there, or, if it does already, from the other end. A drag turns it about the pivot. Widgets:
+// "axes" and, for each end, "axis +x", "axis -z".
 void draw_view_marks(ViewerState& state, const PanelContext& context, const Rectangle& picture, double pixels);
 
-// Draws lines between the spheres that are measured, and beside them what they measure.
+// Draws lines between the measured spheres, and the measures beside them.
 void draw_measured(const ViewerState& state, const PanelContext& context, const Rectangle& picture, double pixels);
 
-// Where the measured spheres' centres are seen, those before the eye.
+// The screen places of those measured centres that are in front of the eye.
 std::vector<ImVec2> measured_places(const ViewerState& state, const Rectangle& picture);
 
-// Where axes, scale bar, legend and the rays' panel were drawn last, in the picture's present place.
+// The last places of axes, scale bar, legend and the rays' panel, moved to the picture's present place.
 std::vector<Rectangle> places_of_marks(const ViewerState& state, const Rectangle& picture);
 
 // "axes, scale bar and legend", as far as the window shows them; "" for none.
@@ -39,7 +39,7 @@ std::string shown_marks(const ViewerState& state);
 // The marks that an export of the view gets.
 PictureMarks exported_marks(const ViewerState& state);
 
-// Strokes from `origin` on, on the screen.
+// Draws strokes on the screen, relative to `origin`.
 void draw_strokes(std::span<const Stroke> strokes, ImVec2 origin, double pixels);
 
 }  // namespace sphereview

@@ -1,4 +1,4 @@
-// The window's loop: input, panels, edits, picture; and rest when there is nothing to do.
+// The window's loop: input, panels, edits, picture; it sleeps when there is nothing to do.
 #pragma once
 
 #include <functional>
@@ -26,35 +26,35 @@ public:
     // The window's context must be current.
     Viewer(ViewerState& state, Window& window);
 
-    // Until the person quits or interrupted() says so, after a wake(). Throws RenderError when the window's context is lost.
+    // Runs until the person quits, or interrupted() is true after a wake(). Throws RenderError when the window's context is lost.
     void run(const std::function<bool()>& interrupted);
 
 private:
     bool plays() const;      // a film
     bool autosaves() const;  // whether unsaved edits are to be kept now
-    // Writes the settings when another file was opened: other windows offer it too, and a window that is killed has remembered it.
+    // Writes the settings when another file was opened, so that other windows offer the file, and a kill does not lose it.
     void keep_recent_files();
     void wait_for_work();
-    // Whether the next frame of a film comes before anything else is worth drawing.
+    // Whether to draw nothing before the next frame of a film.
     bool is_between_frames() const;
     void redraw();
-    // Brings the picture up to date with the state, as LivePicture::update() does. Returns whether there is another one.
+    // Brings the picture up to date, as LivePicture::update(). Returns whether it has changed.
     bool update_picture(int step, double patience);
-    // Draws a part of a finer picture of what nothing moves in. Returns whether all of it is there.
+    // Draws a part of a finer picture while nothing moves. Returns whether the picture is complete.
     bool refine_picture();
     void use_mouse(const PanelContext& context, bool cancelled);
     void show(const Rectangle& area);
-    // What the picture shows, for the panel that asks.
+    // Gives a panel that asked the spheres that the picture shows.
     void give_seen();
     void note_facts();
     void end_announcement();
     void follow_work();
     void follow_frames();
     std::optional<Pixel> pixel_under_pointer() const;
-    // What the inspector follows: the pixel under the pointer, or the pixel of the eye whose rays are shown; `sphere`: what the
-    // window shows under the pointer.
+    // The pixel that the inspector follows: the one under the pointer, or the eye's while its rays are shown. `sphere`: the one
+    // under the pointer.
     std::optional<PinnedPixel> pointed_pixel(const std::optional<Pixel>& pixel, const std::optional<std::uint32_t>& sphere) const;
-    // Pins what a click in the picture is meant for.
+    // Pins the pixel that a click in the picture means.
     void pin_clicked(const glm::dvec2& place, bool beside);
     void draw_rays_in_space();
 
@@ -72,10 +72,10 @@ private:
     PictureTexture seen_by_eye_;
     RestView rest_;
     LostHint lost_hint_;
-    bool shaders_changed_ = false;  // they are read once the edits are kept
+    bool shaders_changed_ = false;  // read them once the edits are kept
     std::shared_ptr<const BackgroundJob> edits_kept_{};
-    std::vector<std::string> kept_recent_;          // the recent files as they were written last
-    std::optional<BackgroundJob> settings_kept_{};  // a disk that hangs holds up nobody
+    std::vector<std::string> kept_recent_;          // the recent files that were written last
+    std::optional<BackgroundJob> settings_kept_{};  // a job: a disk may hang
 
     Clock::time_point last_redraw_ = Clock::now();
     std::uint64_t redraw_number_ = 0;

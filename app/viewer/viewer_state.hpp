@@ -1,4 +1,4 @@
-// Everything the viewer knows, without its window: what panels read and actions change.
+// The viewer's state without its window. Panels read it, actions change it.
 #pragma once
 
 #include <chrono>
@@ -46,35 +46,35 @@ struct ViewerState {
 
     ViewOptions options;
     ViewerSettings settings;
-    // Of shading, samples and the sizes of exports and films: what the next run begins with. The command line's options say what
-    // this run has in `settings`; they are not what the person chose in a window.
+    // Shading, samples and sizes of exports and films that the next run begins with. `settings` has this run's, which options of
+    // the command line may set.
     ViewerSettings remembered;
 
-    // The loop's thread holds this while the document, its file or the autosave may change, so that another thread can keep the
-    // edits when the loop hangs elsewhere, in a driver.
+    // The loop's thread holds this while the document, its file or the autosave may change. So another thread can keep the edits
+    // when the loop hangs elsewhere, in a driver.
     std::timed_mutex changing;
 
     Document document;
     Selection selection;
     std::optional<std::uint32_t> hovered;
     std::uint64_t gesture = 0;
-    // The names of steps that gave spheres colours or sizes by a property: nearly all spheres. Undoing one selects none of them.
+    // The names of steps that gave nearly all spheres colours or sizes by a property. Undoing such a step selects no sphere.
     std::set<std::string> look_steps{};
     SceneBounds bounds;  // of the document at bounds_revision
     std::uint64_t bounds_revision = 0;
 
-    // The file that the document is of.
+    // The document's file.
     std::string path;  // absolute; "" when it has none yet
     SceneFormat format = SceneFormat::toml;
-    std::int64_t frame = 0;   // of the file, which may have several
-    std::int64_t frames = 1;  // as far as they are known (FramePlayer::all_frames)
+    std::int64_t frame = 0;   // the document's frame of the file
+    std::int64_t frames = 1;  // of the file, as far as known (FramePlayer::all_frames)
     FramePlayer player;
-    FileStates stamp;                         // as it was looked at last
-    FileStates read_stamp;                    // as it was when the document was read of it, or written
-    std::vector<std::string> property_names;  // of what the file holds of each sphere, whether read or not
-    bool all_properties = false;              // they are read, whatever they take
-    std::uint64_t file_order = 0;             // the document's order_revision() in which its numbers are the file's
-    // While the file is gone: the document's revision then, if that was what the file held; else 0.
+    FileStates stamp;                         // the file's at the last look
+    FileStates read_stamp;                    // the file's when the document was read or written
+    std::vector<std::string> property_names;  // of the file, whether read or not
+    bool all_properties = false;              // read even with a large scene
+    std::uint64_t file_order = 0;             // order_revision() at which the numbers are the file's
+    // While the file is gone: the document's revision if it equalled the file, else 0.
     std::optional<std::uint64_t> gone_at;
     std::optional<Work> loading;
     std::optional<Work> saving;
@@ -82,25 +82,25 @@ struct ViewerState {
     std::optional<Work> filming;
     std::optional<FilmChoices> film_choices;  // the latest
     std::optional<Work> comparing;
-    std::optional<Work> copying;                // what explains a pixel, to the clipboard
+    std::optional<Work> copying;                // a pixel's explanation, to the clipboard
     std::optional<ShownComparison> comparison;  // the latest
     Autosave autosave;
 
-    // The view: what the window shows, which need not be the scene's own camera.
+    // The view; need not be the scene's camera.
     Camera camera;
     glm::dvec3 pivot{0.0};
-    std::optional<CameraFlight> flight;  // where the view moves by itself
+    std::optional<CameraFlight> flight;  // while the view moves by itself
     AxesInHand axes_in_hand;
-    CornerMarks marks_in_corners{};        // as they were drawn last
+    CornerMarks marks_in_corners{};        // as drawn last
     PictureSize picture_size;              // of the window's picture, in pixels
-    std::optional<Background> background;  // instead of the scene's, as --background asks
-    LightOptions light;                    // instead of the scene's, as --sun and its like ask
+    std::optional<Background> background;  // --background, instead of the scene's
+    LightOptions light;                    // --sun and its like, instead of the scene's
     SceneSnapshot snapshot;
-    std::optional<RestPicture> rest_picture;  // of that, being made or there
-    std::shared_ptr<KeptLights> kept_lights;  // of that, or null
+    std::optional<RestPicture> rest_picture;  // of `snapshot`, being made or complete
+    std::shared_ptr<KeptLights> kept_lights;  // of rest_picture, or null
     std::optional<Work> selecting;            // by a box
 
-    // The system's; without a window there is none.
+    // The system's clipboard; empty without a window.
     struct Clipboard {
         std::function<std::string()> text = [] { return std::string(); };
         std::function<void(const std::string&)> set_text = [](const std::string&) {};
@@ -113,7 +113,7 @@ struct ViewerState {
 
     MenuKeys menu_keys;
     bool panel_shown = true;
-    bool panel_drawn = true;  // in the last redraw: a small window has no room for it
+    bool panel_drawn = true;  // in the last redraw; a small window has no room
     bool inspector_shown = false;
     PinnedPixels pins;
     InspectorState inspector;
@@ -128,50 +128,49 @@ struct ViewerState {
 
     const Scene& scene() const { return document.scene(); }
     Background shown_background() const { return background.value_or(scene().background); }
-    // Of the pixels that are inspected: the view, or, while its rays are seen from beside, the eye's.
+    // The inspected pixels' camera: the view's, or the eye's while its rays are seen from beside.
     const Camera& inspected_camera() const { return rays.on ? rays.camera : camera; }
     bool has_pins() const { return inspector_shown || rays.on; }
-    // The scene's light with what the command line says instead.
+    // The scene's light with the command line's options.
     Light shown_light() const;
-    // Whether there is nothing to show and nothing to take back: the window offers where to begin.
+    // Whether nothing is open, shown or undoable: the window shows the start page.
     bool is_at_start() const {
         return path.empty() && !loading && scene().spheres.empty() && !document.can_undo() && !document.can_redo();
     }
-    // How the window's title and questions call the scene: the file's name, or "untitled".
+    // The scene in the title and in questions: the file's name, or "untitled".
     std::string name() const;
 };
 
-// What a person chose in the window: it holds, and is remembered.
+// Sets a setting that the person chose in the window, now and for later runs.
 template <typename T>
 void choose(ViewerState& state, T ViewerSettings::*setting, const T& value) {
     state.settings.*setting = state.remembered.*setting = value;
 }
-// Likewise the size in a dialog, if it is another than the dialog offered.
+// Likewise a dialog's size, if it differs from the offered one.
 void choose_size(ViewerState& state, int ViewerSettings::*width, int ViewerSettings::*height, PictureSize size);
 
-// What the next run is to begin with.
+// The settings for the next run.
 ViewerSettings settings_to_keep(const ViewerState& state);
 
 // Shows a line over the picture for some seconds.
 void announce(ViewerState& state, const std::string& text);
 
-// Shows an error that has to be read before anything else.
+// Shows an error in a dialog.
 void report_error(ViewerState& state, const std::string& title, const std::string& text);
 
 // The view becomes the scene's own camera.
 void go_home(ViewerState& state);
 
-// Begins to move the view to where it sees everything that way; not if there is nothing to see.
+// Begins to move the view to see everything in that direction; does nothing if there is nothing to see.
 void fly_to_fit(ViewerState& state, const ViewAxes& axes);
 
 // Begins to move the view to that camera.
 void fly_to(ViewerState& state, const Camera& camera);
 
-// Moves the view on, and ends the flight if it has arrived or something else has moved the view. Returns whether it moved.
+// Moves the view on. Ends the flight on arrival, or if something else has moved the view. Returns whether the view moved.
 bool fly_on(ViewerState& state, Clock::time_point now);
 
-// Brings bounds up to date; they are left as they are while something is dragged, so that what a drag is scaled by does not
-// change under the pointer.
+// Updates the bounds, but not during a drag, whose speed depends on them.
 void update_bounds(ViewerState& state);
 
 }  // namespace sphereview

@@ -8,10 +8,10 @@
 
 namespace sphereview {
 
-// The scene of packaging/icon.toml, of which the installed icons are pictures.
+// The scene of packaging/icon.toml, from which the installed icons are rendered.
 Scene icon_scene();
 
-// In the sizes that desktops ask for, RGBA.
+// The icons in the sizes that desktops ask for, RGBA.
 std::vector<Image> window_icons();
 
 }  // namespace sphereview
