@@ -1,5 +1,4 @@
-// Everything a menu offers, with its shortcut: for the menus, the keys and the help. The table is in viewer/command_table.cpp,
-// beside what each command does.
+// The commands of the menus, with their shortcuts and help. The table is in viewer/command_table.cpp.
 #pragma once
 
 #include <optional>
@@ -91,24 +90,23 @@ struct CommandInfo {
     std::string_view help;      // one sentence
     bool separator_before = false;
     std::string_view submenu = {};  // within the menu; "": in the menu itself
-    bool enabled = true;            // whether it has something to do now
-    bool checked = false;           // whether it stands for what is chosen now: the menu marks it
+    bool enabled = true;            // the command has something to do now
+    bool checked = false;           // the menu marks it as the present choice
 };
 
-// Of the command of that id, which must be among them.
+// The command of that id, which must be among `commands`.
 const CommandInfo& info_of(std::span<const CommandInfo> commands, CommandId id);
 
 // The alternatives of a shortcut.
 std::string first_shortcut(std::string_view shortcut);  // "Ctrl+Shift+Z"
 std::string every_shortcut(std::string_view shortcut);  // "Ctrl+Shift+Z or Ctrl+Y"
 
-// Whether a key, named as KeyChanged has it, is one of the shortcut's alternatives. Keyboards differ in whether a symbol such as
-// "+" needs Shift: for symbols Shift must be held only where the shortcut names it, and may be held always.
+// Whether a key, by KeyChanged's name, is one of the shortcut's alternatives. On some keyboards a symbol such as "+" needs Shift,
+// so Shift may always be held for symbols, and must be held only if the shortcut names it.
 bool matches(std::string_view shortcut, std::string_view key_name, bool control, bool shift, bool alt);
 
-// What a pressed key stands for; of several commands with that key the first that has something to do. Symbols without Ctrl and Alt
-// ("?") are left to command_for_character(): a key is named by what it gives without Shift, so only the typed character tells which
-// key is "?".
+// The command of a pressed key: the first enabled one. Symbols without Ctrl and Alt, such as "?", are left to
+// command_for_character(): a key's name is its character without Shift, so only the typed character tells which key is "?".
 std::optional<CommandId> command_for_key(std::span<const CommandInfo> commands, std::string_view key_name, bool control, bool shift,
                                          bool alt);
 std::optional<CommandId> command_for_character(std::span<const CommandInfo> commands, char32_t character);

@@ -1,4 +1,4 @@
-// What comparing somebody's own picture with the right one has found.
+// The result of comparing somebody's own picture with the right one.
 #pragma once
 
 #include <imgui.h>
@@ -29,10 +29,10 @@ struct ComparisonWords {
         std::string words;
     };
     std::vector<Example> examples{};
-    std::function<std::string(Pixel)> at{};  // what was found in a pixel, and what was expected; none for an equal picture
+    std::function<std::string(Pixel)> at{};  // a pixel's found and expected colour; none for an equal picture
 };
 
-// Which picture is shown of those that were compared.
+// The picture that is shown.
 enum class ComparedPicture { difference, found, right };
 
 struct ComparisonView {
@@ -40,10 +40,10 @@ struct ComparisonView {
     ComparedPicture picture = ComparedPicture::difference;
 };
 
-// As a window that fills `area`; its close button makes `view.open` false. `picture`: that of `view.picture` as a texture of
-// ImGui's, if it is there; the examples are marked in it. A click on an example, or into the picture, pins that pixel and returns
-// to the scene's own camera, which pictures are compared by. `pinned`: a pixel of the pictures, of which is said what was found.
-// Widgets: "comparison", "difference" (whichever picture is shown), "show difference", "show found", "show right", "example 0".
+// Draws a window that fills `area`; its close button makes `view.open` false. `picture`: a texture of `view.picture`, if there is
+// one, in which the examples are marked. A click on an example, or into the picture, pins that pixel and returns to the scene's own
+// camera, by which pictures are compared. `pinned`: a pixel whose found and expected colour is shown. Widgets: "comparison",
+// "difference" (whichever picture is shown), "show difference", "show found", "show right", "example 0".
 void draw_comparison(const PanelContext& context, const ComparisonWords& comparison, const ImTextureID* picture,
                      std::optional<Pixel> pinned, const Rectangle& area, ComparisonView& view);
 

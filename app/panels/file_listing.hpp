@@ -1,4 +1,4 @@
-// Paths as a person types and reads them, and the table of what lies in a folder, for the file dialog.
+// For the file dialog: paths as a person types them, and the table of a folder's entries.
 #pragma once
 
 #include <filesystem>
@@ -11,22 +11,22 @@
 
 namespace sphereview {
 
-// What was typed, without white space around it, as an absolute path: ~ is the home folder, a relative path lies in `folder`.
+// The typed text as an absolute path, without white space around it: ~ is the home folder, a relative path lies in `folder`.
 std::filesystem::path typed_path(std::string_view typed, const std::filesystem::path& folder);
 
-// Whether a file's name has one of the endings (".txt"), in capitals or not.
+// Whether a file's name has the ending (".txt"), in any letter case.
 bool has_ending(std::string_view name, std::string_view ending);
 
 struct Listing {
     std::vector<FileEntry> entries;  // ".." first, then folders, then files; unsorted
-    std::string error;               // why there is no listing: no such folder, not to be read
+    std::string error;               // why there is no listing
 };
 
-// Folders, and files with one of the endings (empty: all). Hidden ones, whose names begin with a dot, only if asked for.
-// Throws nothing that a file system can cause.
+// The folder's folders, and its files with one of the endings (empty: all). Hidden ones, whose names begin with a dot, only with
+// `hidden_files`. Errors of the file system go into `error`.
 Listing list_folder(const std::filesystem::path& folder, const std::vector<std::string>& endings, bool hidden_files);
 
-// ".." first, then folders, then files; names without regard to capitals, and where size or date are equal.
+// ".." first, then folders, then files. By names in any letter case, also where size or date are equal.
 void sort_entries(std::vector<FileEntry>& entries, const FileOrder& order);
 
 // "812 B", "3.4 kB", "132 MB"; "2026-11-29 04:35" in local time.
@@ -39,7 +39,7 @@ struct ClickedEntry {
     FileEntry entry{};
 };
 
-// The browser's entries in a table of that height. Returns the entry that was clicked.
+// Draws the browser's entries as a table of that height. Returns the entry that was clicked.
 ClickedEntry draw_entries(const PanelContext& context, FileBrowser& browser, float height);
 
 }  // namespace sphereview

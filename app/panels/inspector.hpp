@@ -1,4 +1,4 @@
-// The pixel inspector: the arithmetic of a pixel, written and drawn.
+// The pixel inspector: the arithmetic of a pixel in words and drawings.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +14,11 @@ namespace sphereview {
 // All that an explanation depends on.
 struct InspectedPlace {
     Pixel pixel;
-    PictureSize size;  // of the picture that the pixel is in
+    PictureSize size;  // of the pixel's picture
     Camera camera;     // of the view
     std::uint64_t revision = 0;
-    std::optional<Light> light{};  // in the shading that shows it
-    bool with_passed = true;       // whether the spheres that the ray passes were looked for
+    std::optional<Light> light{};  // if the shading shows light
+    bool with_passed = true;       // includes the spheres that the ray passes
 
     bool operator==(const InspectedPlace&) const = default;
 };
@@ -28,8 +28,8 @@ struct InspectedLight {
     int number = 0;  // 0: the sun, else one of the sky's
     glm::dvec3 direction{0.0};
     bool shines = false;
-    std::string why{};                      // or why not, in words
-    std::optional<std::int32_t> blocker{};  // the sphere that keeps it away
+    std::string why{};                      // why not, in words
+    std::optional<std::int32_t> blocker{};  // the sphere that blocks the light
 
     bool is_sun() const { return number == 0; }
 };
@@ -37,23 +37,22 @@ struct InspectedLight {
 struct InspectedPixel {
     InspectedPlace place;
     PixelExplanation explanation;
-    std::optional<InspectedLight> light{};    // the sun, or else the sky's strongest; none where nothing is lit
-    std::optional<ColorExplanation> color{};  // what that light makes of the sphere's colour; none where it is not known
-    std::string sky{};                        // what becomes of the sky's lights, in words; "" where that is not known
+    std::optional<InspectedLight> light{};    // the sun, or else the sky's strongest; none without light
+    std::optional<ColorExplanation> color{};  // the sphere's colour in the light; none while unknown
+    std::string sky{};                        // the sky's lights in words; "" while unknown
 };
 
-// What is inspected.
 struct Inspection {
-    std::optional<InspectedPixel> first{};   // pinned, or under the pointer, or what was last under it
-    std::optional<InspectedPixel> second{};  // pinned beside the first, to be compared with it
+    std::optional<InspectedPixel> first{};   // pinned, or under the pointer, or last under it
+    std::optional<InspectedPixel> second{};  // pinned for a comparison with the first
     bool pinned = false;                     // the first
     bool second_is_next = false;             // the next click pins the second
 };
 
-// What the inspector remembers from redraw to redraw.
+// The inspector's state.
 struct InspectorState {
-    std::optional<std::int32_t> subject;  // the sphere that the drawings are about; by default what the pixel shows
-    bool second_in_detail = false;        // of two pixels
+    std::optional<std::int32_t> subject;  // the drawings' sphere; by default the one that the pixel shows
+    bool second_in_detail = false;        // details are of the second pixel
 };
 
 // Draws into the current ImGui window. Widgets: "unpin", "compare pixels", "copy explanation", "close inspector", "ray drawing",

@@ -1,4 +1,4 @@
-// Which spheres the list shows, and how far it is scrolled.
+// The spheres that the list shows, and its scrolling.
 #pragma once
 
 #include <cstddef>
@@ -15,33 +15,32 @@
 
 namespace sphereview {
 
-// Finds the spheres whose name contains the filter, ignoring the case of ASCII letters, and those whose number, or title
-// "sphere 12", begins with it; or those that fulfil a condition (edit/condition.hpp): a part of the scene at a time, so that a
-// million names hold no redraw up. Document::names_revision() says when names or numbers changed, so moving a sphere begins no
-// search anew; a condition is about what revision() counts.
+// Finds the spheres whose name contains the filter, in any case of ASCII letters, or whose number, or title "sphere 12", begins
+// with it; or the spheres that fulfil a condition (edit/condition.hpp). Searches a part of the scene at a time, so that a million
+// names delay no redraw. A search by names is valid for a names_revision(), one by a condition for a revision() of the document.
 class FilterSearch {
 public:
-    // So many names, or eight times as many spheres without one: some milliseconds.
+    // Names in one step, or eight times as many spheres without name: some milliseconds.
     static constexpr std::size_t usual_step = 32768;
 
-    // From the beginning. The filter is not empty. A condition that cannot be understood finds nothing, and has a fault().
+    // Begins a search. The filter must not be empty. A wrong condition finds nothing and has a fault().
     void begin(const Scene& scene, std::string_view filter);
     // The scene's names and numbers, and for a condition the scene, must not have changed since begin().
     void go_on(const Scene& scene, std::size_t step = usual_step);
     void finish(const Scene& scene);
 
     bool done() const { return next_ == count_; }
-    // Of the scene that has been looked at, 0..1.
+    // The part of the scene that was searched, 0..1.
     double part() const { return count_ == 0 ? 1.0 : static_cast<double>(next_) / static_cast<double>(count_); }
     const std::string& filter() const { return filter_; }
-    // What is wrong with the condition, in words; "" where nothing is.
+    // The condition's fault in words; "" for none.
     const std::string& fault() const { return fault_; }
-    // The names of what the condition compares, each once, and of them those that the scene does not have.
+    // The properties that the condition compares, each once, and those of them that the scene lacks.
     const std::vector<std::string>& compared() const { return compared_; }
     const std::vector<std::string>& unknown() const { return unknown_; }
-    // Whether one of those is among the names of what the file has.
+    // Whether the file has one of the unknown() properties.
     bool waits_for(std::span<const std::string> names_in_file) const;
-    // So far; ascending.
+    // The numbers found so far, ascending.
     const std::vector<std::uint32_t>& found() const { return found_; }
 
 private:
@@ -50,7 +49,7 @@ private:
     bool fits(std::string_view name) const;
 
     std::string filter_;
-    std::string wanted_;  // what is looked for in names
+    std::string wanted_;  // to be found in names
     std::optional<SphereTest> condition_;
     std::string fault_;
     std::vector<std::string> compared_;
@@ -59,14 +58,14 @@ private:
         std::uint64_t first;
         std::uint64_t behind;
     };
-    std::vector<NumberRange> numbers_;  // that begin with the filter's digits
+    std::vector<NumberRange> numbers_;  // numbers that begin with the filter's digits
     bool unnamed_ = false;              // all spheres without a name
-    std::size_t next_ = 0;              // to be looked at
+    std::size_t next_ = 0;              // the next number to test
     std::size_t count_ = 0;
     std::vector<std::uint32_t> found_;
 };
 
-// Which spheres the rows of a list stand for: `listed`, or all without a filter, for which no numbers are stored.
+// The spheres of a list's rows: `listed`, or all without a filter, which stores no numbers.
 class ListedSpheres {
 public:
     ListedSpheres(const Scene& scene, bool all, const std::vector<std::uint32_t>& listed)
@@ -84,15 +83,15 @@ private:
     const std::vector<std::uint32_t>& listed_;
 };
 
-// Scrolls in rows, counted in double. ImGui scrolls in float pixels, and a million rows are more than 2^24 pixels: float cannot
+// Scrolls in rows, as a double. ImGui scrolls in float pixels, but a million rows are more than 2^24 pixels, where float cannot
 // tell neighbours apart.
 class ListScroll {
 public:
-    // How many rows there are, and how many are seen at a time (a part of one counts). The last row can just be seen whole. The
-    // row that show() was for stays in sight when fewer are seen: the editor below grows with what is selected.
+    // Sets the number of rows, and of rows seen at a time, which need not be whole. show()'s row stays in sight when fewer are
+    // seen, because the editor below grows with the selection.
     void set_size(std::size_t rows, double seen);
 
-    // How many rows, or parts of one, are above what is seen.
+    // The number of rows above the seen ones, which need not be whole.
     double above() const { return above_; }
     double most() const;
     bool is_needed() const { return most() > 0.0; }
@@ -110,7 +109,7 @@ private:
     double seen_ = 1.0;
     double above_ = 0.0;
     std::optional<std::size_t> shown_;
-    float grabbed_ = 0.0F;  // from the top of the thumb to the mouse that holds it
+    float grabbed_ = 0.0F;  // from the thumb's top to the mouse
 };
 
 }  // namespace sphereview

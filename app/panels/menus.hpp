@@ -1,4 +1,4 @@
-// The menu bar, and the list of all shortcuts and of what the mouse does.
+// The menu bar, and the help window with all shortcuts and what the mouse does.
 #pragma once
 
 #include <span>
@@ -10,17 +10,17 @@
 
 namespace sphereview {
 
-// The README's table is made from this too.
+// A row of the help's table of the mouse.
 struct MouseHelp {
     std::string_view mouse;  // "Left-drag on a selected sphere"
     std::string_view help;   // "Moves it parallel to the screen; with Shift in depth."
 };
 std::span<const MouseHelp> mouse_help();
 
-// As a window that `open` shows; its close button makes `open` false.
+// Draws the help window while `open`; its close button makes `open` false.
 void draw_help(const PanelContext& context, bool& open);
 
-// Which menu is open, for the keyboard.
+// The open menu, for the keyboard.
 struct MenuKeys {
     std::string open;         // "File"; "" for none
     bool in_submenu = false;  // then Left and Right are the submenu's
@@ -28,8 +28,8 @@ struct MenuKeys {
     int step = 0;             // to the next menu (1) or the one before (-1)
 };
 
-// Draws ImGui's main menu bar; returns its height. Does what `keys` asks for, and notes there what is open. `recent`: paths, the
-// latest first. Widgets: "menu File", "item Save as...", "menu Open recent", "recent 0".
+// Draws ImGui's main menu bar and returns its height. Follows `keys`, and notes the open menu there. `recent`: paths, the latest
+// first. Widgets: "menu File", "item Save as...", "menu Open recent", "recent 0".
 float draw_menu_bar(const PanelContext& context, const std::vector<std::string>& recent, MenuKeys& keys);
 
 }  // namespace sphereview
