@@ -1,4 +1,4 @@
-// The field in which panels show a number, to be dragged or typed into.
+// The field for a number in panels, to be dragged or typed into.
 #pragma once
 
 #include <algorithm>
@@ -9,16 +9,15 @@
 
 namespace sphereview {
 
-// What a number may be, and how far a drag changes it.
+// The range of a number, and how far a drag changes it.
 struct NumberRule {
-    // Drags end there; what is typed beyond is refused.
+    // Drags end at these; a typed number beyond is refused.
     double low = std::numeric_limits<double>::lowest();
     double high = std::numeric_limits<double>::max();
-    // More than 0 alone; a drag makes it larger or smaller by equal factors.
+    // Only numbers above 0; a drag changes the number by equal factors.
     bool above_zero = false;
-    bool whole = false;  // whole numbers alone
-    // A drag of some 100 pixels changes a number by about its own size when the drag begins; one that is smaller than this, 0 too,
-    // by about this much.
+    bool whole = false;  // only whole numbers
+    // A drag of some 100 pixels changes a number by about its own size, or, if it is smaller than this, by about this much.
     double usual_size = 1.0;
     const char* help = "";    // a sentence for the tooltip
     const char* prefix = "";  // before the number, where there is room
@@ -27,71 +26,71 @@ struct NumberRule {
 
 inline constexpr const char* degree_sign = "\u00B0";
 
-// Of a coordinate in a scene: one near 0 moves by a part of what the scene takes up.
+// The rule of a scene's coordinate: near 0 a drag changes it by a part of the scene's extent.
 inline NumberRule coordinate_rule(const SceneBounds& bounds) {
     NumberRule rule;
     rule.usual_size = std::max(0.25 * bounds.extent(), 1e-290);
     return rule;
 }
 
-// What a panel's number fields remember from redraw to redraw.
+// The state of a panel's number fields.
 struct NumberFields {
-    // The field that is being typed into. Tab ends one number and begins the next that is drawn: ImGui's own Tab would pass over
-    // the fields, which are no text boxes until they are typed into.
+    // The field that is being typed into. Tab ends one number and begins the next field: ImGui's own Tab would skip the fields,
+    // which are text boxes only while they are typed into.
     std::string typed;  // its name; "" for none
     std::string text;
     std::string opened_with;
-    bool focus = false;        // the box is to get the keyboard
-    bool opens = false;        // the box is to get the number as its text
-    bool passes_on = false;    // what is drawn next gets the keyboard
+    bool focus = false;        // the box gets the keyboard
+    bool opens = false;        // the box gets the number as its text
+    bool passes_on = false;    // the next item gets the keyboard
     std::string last_drawn;    // the field that Shift+Tab goes back to
-    std::string just_typed;    // the field that says nothing of itself until the pointer has left it
-    bool left_by_key = false;  // the last box, by Enter or Tab: else the person went on to something else
+    std::string just_typed;    // the field that shows no tooltip until the pointer has left it
+    bool left_by_key = false;  // Enter or Tab ended the last box; else something else did
 
-    // The latest drag: the number is `from` and so many steps, of a pixel each. Nothing adds up, and back is back to the bit.
+    // The latest drag: the number is `from` plus a step for each pixel. Errors do not add up, so the way back is exact.
     struct Drag {
         double from = 0.0;
-        double step = 1.0;    // of a pixel, as it was when the drag began
-        double steps = 0.0;   // until the pointer was at `anchor`; since then at the pace of the keys that are held now
-        double anchor = 0.0;  // in pixels from where the button went down
+        double step = 1.0;    // of a pixel, at the drag's beginning
+        double steps = 0.0;   // up to `anchor`; beyond, at the pace of the keys held now
+        double anchor = 0.0;  // in pixels from the press
         double pace = 1.0;
-        double finest = 1.0;     // of the paces that there were: what the number is rounded by
+        double finest = 1.0;     // the finest pace so far, which the number is rounded by
         bool moved = false;      // else it is a click
         bool cancelled = false;  // by Escape
     };
     Drag drag;
 
-    // Where and why the number that was entered last was refused.
+    // The field whose last number was refused, and why.
     std::string refused;
     std::string fault;
 };
 
-// Whether Tab left the number before for what is drawn next; true once.
+// Whether Tab passed the keyboard on to the next item; true once.
 bool takes_keyboard(NumberFields& fields);
 
 enum class NumberChange { none, dragged, typed };
 
-// As wide as the next item's width. A drag gives `value` a short number and begins a gesture of its own; with Shift it is finer,
-// with Ctrl coarser, and Escape takes it back. A click, or Tab from another number, types one, or a calculation; what is none, or
-// not allowed, is refused: the old number stays, and the box remains open for another one until Escape or a click elsewhere. Noted
-// as "slider NAME". `name` is unique among the panel's fields. `several`: where the value stands for others, too, which differ from
-// it, what is shown instead; "" where they do not.
+// Draws the field, as wide as the next item's width. A drag begins a gesture of its own and gives `value` short numbers: finer with
+// Shift, coarser with Ctrl; Escape takes the drag back. A click, or Tab from another field, types a number or a calculation. A
+// wrong or forbidden one is refused: the old number stays, and the box remains open until Escape or a click elsewhere. Noted as
+// "slider NAME". `name` is unique among the panel's fields. `several`: shown instead of `value` where it stands for different
+// values; else "".
 NumberChange draw_number(const PanelContext& context, NumberFields& fields, const std::string& name, const NumberRule& rule,
                          double& value, const std::string& several = "");
 
-// The same on a line of its own, behind its name; below it, why the number was refused that was entered.
+// The same on a line of its own, behind its name, with the reason of a refusal below.
 NumberChange draw_number_line(const PanelContext& context, NumberFields& fields, const char* name, const NumberRule& rule,
                               double& value);
 
-// Notes why the field's number cannot be, for what a rule does not know. It is said until another number is typed or dragged. After
-// Enter or Tab the box opens again with what was typed: keys are still meant for that number, and not for the window.
+// Refuses a field's number for a reason that the rule does not know, shown until another number is typed or dragged. After Enter or
+// Tab the box opens again with the typed text, so that keys do not go to the window.
 void refuse_number(NumberFields& fields, const std::string& name, const std::string& fault);
 
-// Says, on lines of its own, why the number of that field was refused; nothing where it was not.
+// Draws, on lines of its own, why the field's number was refused, if it was.
 void draw_refusal(const PanelContext& context, const NumberFields& fields, const std::string& name);
 
-// The shortest text of the number that reads back as the same, or, where that is wider, as many digits as fit into so many pixels;
-// where none do, what takes least room.
+// The shortest text that reads back as the same number. If that is wider than `width` pixels: as many digits as fit, or the
+// narrowest text.
 std::string fitting_text(double value, float width);
 
 // "1.5 to 20".

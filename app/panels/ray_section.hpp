@@ -1,5 +1,5 @@
-// The plane through a ray as a drawing: where its places are, not how they are drawn. Lengths are the scene's. In the drawing x
-// runs along the ray from where it begins, y across.
+// The plane through a ray: the places of a drawing, without its looks. Lengths are the scene's; x runs along the ray from its
+// origin, y across.
 #pragma once
 
 #include <cstdint>
@@ -18,16 +18,16 @@ struct SectionLine {
     glm::dvec2 to{0.0};
 };
 
-// What the plane has of a sphere.
+// A sphere's circle in the plane.
 struct SectionCircle {
     std::int32_t number = 0;
     glm::dvec2 center{0.0};
-    double radius = 0.0;  // of the circle in which the plane cuts the sphere, else the sphere's own
-    bool cut = true;      // false: the plane passes the sphere by, and the circle is what it looks like from beside
-    bool met = false;     // the ray's line meets it
-    double first = 0.0;   // where, on the x axis, if it is met
+    double radius = 0.0;  // the cut circle's, or the sphere's if not cut
+    bool cut = true;      // false: the plane misses the sphere, and the circle is its outline
+    bool met = false;     // the ray's line meets the sphere
+    double first = 0.0;   // the x of the roots, if met
     double second = 0.0;
-    bool first_counts = false;  // which of these is the hit
+    bool first_counts = false;  // which root is the hit
     bool second_counts = false;
 };
 
@@ -47,48 +47,47 @@ struct SectionWindow {
 struct RaySection {
     std::vector<SectionCircle> circles;  // the subject first
     bool has_subject = false;            // through whose centre the plane goes
-    std::optional<SectionLine> screen;   // where the plane cuts the screen; the ray goes through it at x = on_screen
+    std::optional<SectionLine> screen;   // the plane's cut through the screen; the ray passes it at x = on_screen
     double on_screen = 0.0;
-    std::optional<SectionLine> eye_plane;   // in which parallel rays begin
-    std::optional<double> seen;             // the hit that the pixel shows
-    std::optional<SectionLine> to_sun;      // from there; as it looks from beside, where it leaves the plane
-    std::optional<std::int32_t> blocker{};  // at which that ends
-    SectionWindow window;                   // what is to be drawn
-    bool eye_outside = false;               // the ray begins left of it
+    std::optional<SectionLine> eye_plane;   // where parallel rays begin
+    std::optional<double> seen;             // x of the hit that the pixel shows
+    std::optional<SectionLine> to_sun;      // from that hit, projected onto the plane
+    std::optional<std::int32_t> blocker{};  // the sphere at which to_sun ends
+    SectionWindow window;                   // the part that is drawn
+    bool eye_outside = false;               // the ray begins left of the window
     bool screen_outside = false;
-    std::vector<std::int32_t> outside{};  // spheres of which nothing is in it
+    std::vector<std::int32_t> outside{};  // spheres outside the window
 };
 
-// What the drawing is of.
+// The subject of a drawing.
 struct SectionSubject {
     const Scene& scene;
     const Camera& camera;
     PictureSize size;
     Pixel pixel;
-    const PixelExplanation& explanation;  // numbers of spheres that are gone are passed over
-    std::optional<glm::dvec3> sun{};      // the direction to the sun, or to another light, where light is shown
+    const PixelExplanation& explanation;  // spheres that are gone are left out
+    std::optional<glm::dvec3> sun{};      // the direction to the sun or another light, if shown
     std::optional<std::int32_t> blocker{};
-    bool from_eye = true;             // else the ray goes from a point to the sun, and there is no screen
+    bool from_eye = true;             // false: the ray goes from a point to the sun, without a screen
     const char* name_of_sun = "sun";  // or "light"
 };
 
 // Whether the explanation has a hit or a near miss of that sphere.
 bool is_explained(const PixelExplanation& explanation, std::int32_t number);
-// The sphere of the nearest hit, or else of the nearest near miss; visible_background where there is none.
+// The sphere of the nearest hit, else of the nearest near miss; visible_background for neither.
 std::int32_t first_explained(const PixelExplanation& explanation);
 
-// The ray from the point that a pixel shows to the sun as an explanation of its own, in double, whose t are lengths: what is in the
-// way is its hit, and the sphere that the point is on lies behind it. Nothing where no sphere is seen.
+// The ray from a pixel's point to the sun as an explanation, in double; t is a length. The blocking sphere is its hit; the point's
+// own sphere lies behind it. Nothing if the pixel shows no sphere.
 std::optional<PixelExplanation> shadow_ray(const Scene& scene, const PixelExplanation& pixel, const glm::dvec3& sun,
                                            std::optional<std::int32_t> blocker);
 
-// `subject`: the sphere through whose centre the plane goes; by default, and where that is none of the explanation,
-// first_explained(). `aspect`: the width of the drawing by its height. The window holds what matters most, as long
-// as the subject stays large enough to be seen: the subject, the eye, the screen, the other hits, what is in the way of the sun,
-// near misses, what is behind the eye.
+// `subject`: the sphere through whose centre the plane goes; by default, or if it is not in the explanation, first_explained().
+// `aspect`: the drawing's width by its height. While the subject stays large enough to be seen, the window takes in the eye, the
+// screen, the other hits, what blocks the sun, near misses, and what is behind the eye, in this order.
 RaySection section_of(const SectionSubject& of, std::optional<std::int32_t> subject, double aspect);
 
-// The part of a circle that may be in a window, as points along it; all of it, closed, where it is small.
+// Points along the part of a circle that may be in the window; the whole circle, closed, if it is small.
 std::vector<glm::dvec2> points_of(const SectionCircle& circle, const SectionWindow& window);
 
 }  // namespace sphereview

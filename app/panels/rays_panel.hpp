@@ -1,4 +1,4 @@
-// The panel beside the rays in space: what the eye sees, which of its rays are drawn, and what the pixel's ray meets.
+// The panel of the rays in space: the eye's picture, the choice of rays, and what the pixel's ray meets.
 #pragma once
 
 #include <imgui.h>
@@ -11,14 +11,14 @@
 
 namespace sphereview {
 
-// Which rays are drawn besides a single pixel's: of its row, or of the whole picture.
+// The rays that are drawn besides a single pixel's: none, its row's, or the whole picture's.
 enum class RaysShown { one, row, all };
 
-// Each so many-th pixel's ray of a row, and of a column: powers of two.
+// Every how many-th pixel's ray is drawn, in a row and in a column: powers of two.
 struct RayChoice {
     RaysShown shown = RaysShown::one;
-    int in_row = 1;      // of a row alone
-    int in_picture = 1;  // of the whole picture
+    int in_row = 1;      // for a row alone
+    int in_picture = 1;  // for the whole picture
 
     int every() const { return shown == RaysShown::row ? in_row : in_picture; }
     bool operator==(const RayChoice&) const = default;
@@ -26,15 +26,15 @@ struct RayChoice {
 
 // What the panel shows.
 struct RaysFacts {
-    PictureSize size{};                    // of the picture that the eye sees
-    std::optional<ImTextureID> picture{};  // that picture, once it is made; of any size of the same shape
-    std::optional<glm::dvec2> place{};     // of the pixel whose ray is drawn, in pixels from the picture's top left corner
-    bool pinned = false;                   // that pixel; else it follows the pointer
-    std::string meets{};                   // what its ray meets, in words
-    std::string light{};                   // and whether the sun shines there; "" where no sun does
-    std::size_t rays = 0;                  // so many are drawn besides,
-    std::size_t hits = 0;                  // and so many of them end on a sphere
-    int least_every = 1;                   // how near to each other they may be
+    PictureSize size{};                    // of the eye's picture
+    std::optional<ImTextureID> picture{};  // the eye's picture, once made; of any size of the same shape
+    std::optional<glm::dvec2> place{};     // of the drawn ray's pixel, from the picture's top left corner
+    bool pinned = false;                   // the pixel is pinned; else it follows the pointer
+    std::string meets{};                   // what the ray meets, in words
+    std::string light{};                   // whether the sun shines there; "" without a sun
+    std::size_t rays = 0;                  // number of rays drawn besides
+    std::size_t hits = 0;                  // number of those that end on a sphere
+    int least_every = 1;                   // bounds of RayChoice::every()
     int most_every = 1;
 };
 
@@ -45,8 +45,8 @@ struct RaysAnswer {
     ImVec2 size{0.0F, 0.0F};  // of the panel
 };
 
-// Draws a window in the upper left corner of the area, which is the picture's. Widgets: "rays", "rays picture", "rays one", "rays
-// row", "rays all", "rays finer", "rays coarser", "rays end".
+// Draws a window in the upper left corner of the picture's `area`. Widgets: "rays", "rays picture", "rays one", "rays row", "rays
+// all", "rays finer", "rays coarser", "rays end".
 RaysAnswer draw_rays_panel(const PanelContext& context, const RaysFacts& facts, RayChoice& choice, const Rectangle& area);
 
 }  // namespace sphereview

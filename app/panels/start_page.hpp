@@ -1,4 +1,4 @@
-// What an empty window offers: files, examples, and what to try first.
+// The page in an empty window: files, examples, and things to try.
 #pragma once
 
 #include <string>
@@ -15,20 +15,18 @@ struct ExampleScene {
 };
 
 struct StartPage {
-    std::vector<ExampleScene> examples;  // in the order that they are offered
-    int chosen = -1;                     // the row that Enter takes, as the arrow keys move it; -1: none yet
+    std::vector<ExampleScene> examples;  // in the page's order
+    int chosen = -1;                     // the row for Enter, moved by the arrow keys; -1: none yet
 };
 
-// The examples that are there: in PREFIX/share/sphereview/scenes of an installed program, or in `scenes` of a folder above one that
-// was built and not installed.
+// The examples in PREFIX/share/sphereview/scenes of an installed program, or in `scenes` of a folder above a built one.
 std::vector<ExampleScene> example_scenes();
 
-// How wide a picture the page asks for.
+// The width of the picture that the page needs.
 float start_page_room(const PanelContext& context);
 
-// Draws a window of its own in the middle of `area`, which is the picture's. Its rows are clicked, or chosen with the arrow keys
-// and taken with Enter where `has_keys`. Widgets: "start page", "start open", "start recent 0", "start example 0", "start command
-// 0".
+// Draws a window in the middle of the picture's `area`. Rows are clicked, or, with `has_keys`, chosen with arrow keys and Enter.
+// Widgets: "start page", "start open", "start recent 0", "start example 0", "start command 0".
 void draw_start_page(const PanelContext& context, StartPage& page, const std::vector<std::string>& recent, const Rectangle& area,
                      bool has_keys);
 

@@ -1,4 +1,4 @@
-// The film of a file of several frames: its buttons and the line of time under the picture.
+// The buttons and the line of time for a file of several frames, under the picture.
 #pragma once
 
 #include <cstddef>
@@ -12,40 +12,40 @@
 
 namespace sphereview {
 
-// What comes behind the last frame.
+// What follows the last frame.
 enum class Repeat { once, loop, back_and_forth };
 
 struct PlayChoices {
     PlaySpeed speed{};
     Repeat repeat = Repeat::once;
-    bool handle_held = false;      // the film goes on from where the handle is let go
-    NumberFields numbers{};        // the frame's, which is typed or dragged as well
-    std::size_t time_letters = 0;  // of the longest time of the file that was shown: what stands beside it keeps its place
+    bool handle_held = false;      // the film goes on where the handle is let go
+    NumberFields numbers{};        // for the frame's number
+    std::size_t time_letters = 0;  // of the longest time shown so far, so that what is beside it stays in place
 };
 
-// What the edits of the frame that is shown apply to.
+// The frames that the shown frame's edits apply to.
 enum class EditsReach { none, all_frames, this_frame };
 
 struct TimelineFacts {
     bool playing = false;
-    std::optional<std::int64_t> wanted{};  // the frame that is being read, to be shown
+    std::optional<std::int64_t> wanted{};  // the frame that is being read to be shown
     bool counting = false;                 // the file may have more frames than are known
-    double counted = 0.0;                  // which part of it is looked through, 0..1
+    double counted = 0.0;                  // the counted part of the file, 0..1
     EditsReach edits = EditsReach::none;
-    std::string time{};                  // of the frame that is shown, as the file has it: "0.500"; "" where it has none
-    std::string time_unit{};             // "ps"; "" where nobody knows
-    std::optional<double> usual_step{};  // of these times, from a frame to the next; > 0
+    std::string time{};                  // of the shown frame, as in the file: "0.500"; "" for none
+    std::string time_unit{};             // "ps"; "" if unknown
+    std::optional<double> usual_step{};  // time from a frame to the next, > 0
     bool wanted_in_vain = false;         // `wanted` cannot be read
 };
 
-// How high what draw_timeline() draws is, without the window's edge.
+// The height of draw_timeline(), without the window's edge.
 float timeline_height();
 
-// How wide it is at least, without the window's edges, that the number is not left out.
+// The least width, without the window's edges, at which the number is shown.
 float least_timeline_width(const PanelContext& context, const TimelineFacts& facts);
 
-// Draws into the current ImGui window, as wide as that is; what there is no room for is left out. Widgets: "first frame",
-// "previous frame", "play", "next frame", "last frame", "timeline", "slider frame", "frame number",
+// Draws into the current ImGui window, over its width; leaves out what has no room. Widgets: "first frame", "previous frame",
+// "play", "next frame", "last frame", "timeline", "slider frame", "frame number",
 // "frame time", "edits reach" or, where there is less room, "edits mark", "repeat", "speed", "speed 24 / s", "speed 5 ps / s".
 void draw_timeline(const PanelContext& context, const TimelineFacts& facts, PlayChoices& choices);
 

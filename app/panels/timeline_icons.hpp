@@ -1,4 +1,4 @@
-// What the buttons of the line of time show.
+// The icons on the buttons of the line of time.
 #pragma once
 
 #include <imgui.h>
@@ -7,7 +7,7 @@
 
 namespace sphereview {
 
-// What stands on a button, about its middle, so large.
+// The place of an icon on a button.
 struct IconPlace {
     ImVec2 middle;
     float size;
@@ -16,9 +16,9 @@ struct IconPlace {
     ImVec2 at(float x, float y) const { return {middle.x + x * size, middle.y + y * size}; }
 };
 
-// Its tip and its back stand at such places across, in sizes from the middle.
+// `tip` and `back`: places across, in sizes from the middle.
 void draw_triangle(const IconPlace& icon, float tip, float back);
-// Upright, from such a place across to another.
+// An upright bar from `left` to `right`, in sizes from the middle.
 void draw_bar(const IconPlace& icon, float left, float right);
 // What comes behind the last frame.
 void draw_repeat(const IconPlace& icon, Repeat repeat);
