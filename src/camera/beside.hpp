@@ -1,4 +1,4 @@
-// A camera seen from beside: where its screen is drawn, from where a second view sees it and its rays.
+// A camera seen from beside: the place of its drawn screen, and a second view that sees the screen and the rays.
 #pragma once
 
 #include <array>
@@ -11,26 +11,25 @@
 
 namespace sphereview {
 
-// The rays of a camera do not tell how far along them its screen is. How deep the screen is drawn, as of depth_of(), where the
-// nearest hit lies that deep, or nothing is hit: where the camera has it, at 1, unless it would reach into the scene there or be
-// lost before it.
+// The depth, as of depth_of(), at which the screen is drawn; the rays are the same for any. `nearest_hit`: the depth of the nearest
+// hit, if any. The result is the camera's own 1, unless the screen would then reach into the scene or be tiny before it.
 double screen_depth_before(std::optional<double> nearest_hit);
 
 // The corners of what a picture shows at a depth: top left, top right, bottom right, bottom left.
 std::array<glm::dvec3, 4> screen_corners(const Camera& camera, PictureSize size, double depth);
 
-// Where a view's ray through a place of its picture meets the screen of another camera.
+// The place where a view's ray meets the screen of another camera.
 struct PlaceOnScreen {
     glm::dvec2 place{0.0};  // in that camera's picture, in pixels from its top left corner
-    double depth = 0.0;     // how deep it lies for the view
+    double depth = 0.0;     // its depth for the view
 };
-// Nothing where it does not meet the part of the screen that the picture shows, drawn at that depth.
+// The place where the view's ray through `place` meets the camera's screen, drawn at `screen_depth`. Nothing outside the picture.
 std::optional<PlaceOnScreen> place_on_screen(const Camera& camera, PictureSize size, double screen_depth, const Camera& view,
                                              PictureSize view_size, const glm::dvec2& place);
 
-// A view from beside the camera, somewhat from behind and above, with what the camera sees to the right; all the points are in its
-// picture, with some room around them, and, as far as there is room, beside or below what covers the picture's upper left corner:
-// so many pixels to the right and down. In perspective. Nothing where doubles cannot hold such a camera.
+// A view in perspective from beside the camera, somewhat from behind and above; the camera looks to the right in it. All points are
+// in its picture, with some room around them, and if possible clear of the upper left corner's `covered` pixels to the right and
+// down. Nothing if doubles cannot hold such a camera.
 std::optional<Camera> camera_beside(const Camera& camera, PictureSize size, std::span<const glm::dvec3> points,
                                     const glm::dvec2& covered = glm::dvec2(0.0));
 

@@ -1,4 +1,4 @@
-// Lines of the scene in a picture: the part of each that the picture can show.
+// The visible parts of lines of the scene in a picture.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -15,21 +15,21 @@ struct ProjectedLine {
     glm::dvec2 to{0.0};
     double from_depth = 1.0;
     double to_depth = 1.0;
-    // Which part of the scene's line that is: 0 its beginning, 1 its end.
+    // The part of the scene's line: 0 its beginning, 1 its end.
     double from_part = 0.0;
     double to_part = 1.0;
     Projection projection = Projection::perspective;
 
     glm::dvec2 place_at(double part) const { return (1.0 - part) * from + part * to; }
-    // How deep the point lies that the picture shows at place_at(part).
+    // The depth of the point that the picture shows at place_at(part).
     double depth_at(double part) const;
-    // Its length in the picture, in pixels.
+    // The length in the picture, in pixels.
     double pixels() const;
 };
 
-// The line from one point of the scene to another as a picture shows it: without what lies behind the eye (or, for parallel rays,
-// behind the plane that they begin in), where a projection would turn it round, and without what lies beyond the picture's edges by
-// more than `margin` of the picture's size. Nothing where nothing is left.
+// A line of the scene as a picture shows it, without the parts behind the eye (or, for parallel rays, behind the plane in which
+// they begin), which a projection would turn round, and without the parts outside the picture by more than `margin` of its size.
+// Nothing if nothing is left.
 std::optional<ProjectedLine> projected_line(const Camera& camera, PictureSize size, const glm::dvec3& from, const glm::dvec3& to,
                                             double margin = 0.05);
 

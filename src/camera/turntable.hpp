@@ -1,5 +1,4 @@
-// A camera that goes round a scene. Made of + - * / and square roots, and of the sines and cosines of base/sine_cosine.hpp: the
-// same doubles on every machine.
+// A camera that goes round a scene. Uses + - * / and square roots, and base/sine_cosine.hpp: the same doubles on every machine.
 #pragma once
 
 #include <array>
@@ -13,7 +12,7 @@
 
 namespace sphereview {
 
-// What a camera goes round: its own upward direction, or an axis of the scene.
+// The axis of a turn: the camera's own upward direction, or an axis of the scene.
 enum class TurnAxis { up, x, y, z };
 
 // By their values.
@@ -25,10 +24,10 @@ std::optional<TurnAxis> turn_axis_named(std::string_view name);
 // A turn about a place. The eye of an upright camera goes to the right first, as with growing azimuth.
 class Turn {
 public:
-    // `axes`: the way the camera looks that is turned.
+    // `axes`: those of the camera that turns.
     Turn(const ViewAxes& axes, TurnAxis axis);
 
-    // A direction after so many degrees; 0 changes no bit.
+    // A direction after a turn by `degrees`; 0 changes no bit.
     glm::dvec3 direction(const glm::dvec3& v, double degrees) const;
     glm::dvec3 place(const glm::dvec3& point, const glm::dvec3& pivot, double degrees) const;
     ViewAxes axes(const ViewAxes& axes, double degrees) const;
@@ -38,7 +37,7 @@ private:
     glm::dvec3 axis_;  // of length 1; right-handed
 };
 
-// Of picture `index` of `count` around.
+// The angle of picture `index` of `count`.
 inline double degrees_of(std::int64_t index, std::int64_t count) {
     return 360.0 * static_cast<double>(index % count) / static_cast<double>(count);
 }

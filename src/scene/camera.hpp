@@ -59,7 +59,7 @@ struct Camera {
     bool operator==(const Camera&) const = default;
 };
 
-// A camera's own directions, each of length 1. `ahead` is perpendicular to the screen, on the side of it that is seen.
+// A camera's own directions, each of length 1. `ahead` is perpendicular to the screen and points away from the eye.
 struct CameraAxes {
     glm::dvec3 right;
     glm::dvec3 up;
@@ -69,14 +69,14 @@ struct CameraAxes {
 
 CameraAxes camera_axes(const Camera& camera);
 
-// How far from perpendicular and from equally long `right` and `up` may be, and how near the screen's plane the eye,
+// Tolerance for `right` and `up` being perpendicular and equally long, and least distance of the eye from the screen's plane,
 // relative to the lengths of the vectors involved.
 inline constexpr double camera_tolerance = 1e-6;
 
 // What is wrong with a camera: "'up' is not perpendicular to 'right'".
 struct CameraFault {
     std::string what;
-    std::vector<std::string_view> vectors;  // "eye", "center", "right" or "up": those concerned, the likeliest mistake first
+    std::vector<std::string_view> vectors;  // of "eye", "center", "right", "up", the likeliest mistake first
 };
 
 std::optional<CameraFault> camera_fault(const Camera& camera);
@@ -93,16 +93,17 @@ constexpr RayCoefficients ray_coefficients(PictureSize size, Pixel pixel) {
     return {2LL * pixel.x + 1 - size.width, size.height - 1 - 2LL * pixel.y};
 }
 
-// Anti-aliasing: a pixel is the average of points on a regular grid in it. How many points it may have; the first is the default.
+// Anti-aliasing: a pixel is the average of the points of a regular grid in it. The possible numbers of points; the first is the
+// default.
 inline constexpr std::array<int, 3> sample_counts = {1, 4, 16};
 inline constexpr const char* sample_counts_text = "1, 4 or 16";
 
-// Of the grid in a pixel: samples = side x side.
+// The side of the grid in a pixel: samples = side x side.
 constexpr int sample_side(int samples) { return samples == 16 ? 4 : samples == 4 ? 2 : 1; }
 
-// The points of a picture are, exactly, the centres of the pixels of the same camera's picture of `side` times the size: point
-// (i, j) of pixel (x, y) is pixel (side x + i, side y + j) there, and m and the rays' coefficients scale alike.
-// So whatever holds for pixels holds for points.
+// The points of a picture are exactly the pixel centres of the same camera's picture of `side` times the size: point (i, j) of
+// pixel (x, y) is pixel (side x + i, side y + j) there; m and the rays' coefficients scale alike. So all that holds for pixels
+// holds for points.
 constexpr PictureSize sampled_size(PictureSize size, int side) { return {size.width * side, size.height * side}; }
 
 }  // namespace sphereview

@@ -1,4 +1,4 @@
-// What lights a scene in the shading `studio`: a sky all round with a soft key light in it, and perhaps a sun.
+// The light of a scene in the shading `studio`: a sky all round with a soft key light in it, and perhaps a sun.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -10,12 +10,12 @@ inline constexpr int fewest_lights = 16;
 inline constexpr int most_lights = 1024;
 inline constexpr double most_sky = 1.0;
 inline constexpr double most_key = 1.0;
-// At least so strong that the sun's share of the light is more than what its rounding takes away.
+// A weaker sun's share of the light would be less than its rounding.
 inline constexpr double weakest_sun = 0.001;
 inline constexpr double strongest_sun = 4.0;
 
-// Sun and sky that make a good picture together, where neither's strength is said: the brightest surfaces are about as bright as
-// white can be, and shadows half as bright. A sun of strength 1 beside a full sky would make white of most of what it shines on.
+// Strengths of sun and sky together, if none is given: the brightest surfaces are about white, and shadows half as bright. A sun of
+// strength 1 beside a full sky would turn most lit surfaces white.
 inline constexpr double sky_beside_sun = 0.4;
 inline constexpr double sun_beside_sky = 0.7;
 
@@ -28,20 +28,20 @@ struct Sun {
 };
 
 struct Light {
-    std::optional<int> lights{};  // directions of the sky, fewest_lights .. most_lights; none: as many as suit the scene
+    std::optional<int> lights{};  // directions of the sky, fewest_lights .. most_lights; none: by the scene
     std::optional<double> sky{};  // 0 .. most_sky: the strength of the sky, and of the key light in it; none: sky_of()
     double key = 1.0;             // 0 .. most_key: how much brighter the sky is around the key light
     std::optional<Sun> sun{};
-    // From the scene to the key light; none: by the camera, as everywhere but in pictures around a scene. No file holds it.
+    // From the scene to the key light; none: by the camera. Set only for pictures around a scene; no file holds it.
     std::optional<glm::dvec3> toward_key{};
 
     bool operator==(const Light&) const = default;
 };
 
-// How strong the sky is. A full one makes room for a sun.
+// The strength of the sky; by default less beside a sun.
 constexpr double sky_of(const Light& light) { return light.sky.value_or(light.sun ? sky_beside_sun : most_sky); }
 
-// How strong the light's sun is, which there must be. Beside a sky as it comes it is as strong as suits that.
+// The strength of the sun, which must exist; by default less beside a sky of default strength.
 constexpr double sun_strength_of(const Light& light) { return light.sun->strength.value_or(light.sky ? 1.0 : sun_beside_sky); }
 
 }  // namespace sphereview

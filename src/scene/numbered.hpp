@@ -1,4 +1,4 @@
-// Vectors with a value for each sphere, where spheres come in, go out and change places.
+// Edits vectors with a value for each sphere when spheres are added, removed or reordered.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ auto place(std::vector<Value>& values, std::size_t number) {
 
 }  // namespace detail
 
-// Makes room for spheres that have these numbers, which ascend, afterwards. What stands there then means nothing.
+// Inserts unspecified values at these numbers, which ascend and count after the insertion.
 template <typename Value>
 void make_room(std::vector<Value>& values, std::span<const std::uint32_t> spheres) {
     std::size_t end = values.size();
@@ -31,7 +31,7 @@ void make_room(std::vector<Value>& values, std::span<const std::uint32_t> sphere
     }
 }
 
-// Takes out the values of these spheres, which ascend; the others move up.
+// Removes the values of these spheres, which ascend; the others move up.
 template <typename Value>
 void take_out(std::vector<Value>& values, std::span<const std::uint32_t> spheres) {
     for (std::size_t i = 0; i < spheres.size(); ++i) {

@@ -1,4 +1,4 @@
-// Which property a person means by a name.
+// Finds the property that a person means by a name.
 #pragma once
 
 #include <string_view>
@@ -8,8 +8,8 @@
 
 namespace sphereview {
 
-// How well a name that a person types, or an option gives, stands for a property's: to the letter; in other letter case; or without
-// the unit that stands in brackets behind it, "charge" for "Charge [e]".
+// How a typed name matches a property's: to the letter, in other letter case, or without the unit in brackets, "charge" for "Charge
+// [e]".
 enum class Likeness { none, without_unit, but_for_case, exact };
 Likeness likeness(std::string_view typed, std::string_view name);
 

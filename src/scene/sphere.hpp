@@ -7,7 +7,7 @@
 
 namespace sphereview {
 
-// Flat 8-bit colour; what the file says is, byte for byte, what the PNG holds.
+// A flat 8-bit colour; the PNG holds the file's bytes.
 struct Color {
     std::uint8_t r = 0;
     std::uint8_t g = 0;

@@ -1,4 +1,5 @@
-// What glm leaves open: the order of the sums, so that the bits are the same everywhere, and vectors near the limits of doubles.
+// Vector functions with a fixed order of sums, so that the bits are the same everywhere, and for vectors near the limits of
+// doubles.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +22,7 @@ inline glm::dvec3 without_negative_zero(const glm::dvec3& v) { return {v.x + 0.0
 // The sum of the components' sizes.
 inline double taxicab_length(const glm::dvec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
-// Times a power of two.
+// v times 2^exponent.
 inline glm::dvec3 times_two_to(const glm::dvec3& v, int exponent) {
     return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
 }
@@ -29,7 +30,7 @@ inline glm::dvec3 times_two_to(const glm::dvec3& v, int exponent) {
 // The size of the largest component.
 inline double largest_of(const glm::dvec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 
-// Whatever the vector's size: divided first, so that no square leaves the range of doubles. 0 also for what is no number.
+// The length of a vector of any size: divides first, so that no square leaves the range of doubles. 0 also for NaN.
 inline double length_of(const glm::dvec3& v) {
     const double largest = largest_of(v);
     if (!(largest > 0.0)) return 0.0;
@@ -37,7 +38,7 @@ inline double length_of(const glm::dvec3& v) {
     return largest * square_root(dot(part, part));
 }
 
-// The vector with length 1; a zero vector stays. Divided first, so that no square leaves the range of doubles.
+// The vector with length 1; a zero vector stays. Divides first, so that no square leaves the range of doubles.
 inline glm::dvec3 unit(glm::dvec3 v) {
     const double largest = largest_of(v);
     if (largest == 0.0) return v;
