@@ -64,8 +64,8 @@ ManifestLines read_manifest(const std::string& path);
 class Manifest {
 public:
     // Begins the options' file anew. With --skip-existing keeps its whole lines, except those of jobs' pictures that were made of
-    // something else; then the jobs' sequences must be prepared.
-    // `states`: states_of_inputs(). Throws OutputError, and InputError for scenes without a name, or names that JSON cannot hold.
+    // something else; then the jobs' sequences must be prepared. `states`: states_of_inputs(). Throws OutputError, and InputError
+    // for scenes without a name, or names that JSON cannot hold.
     Manifest(const RenderOptions& options, std::span<const RenderJob> jobs, std::map<std::string, FileStates> states);
 
     // Whether a job's picture exists whole and has a line.

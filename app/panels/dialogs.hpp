@@ -62,10 +62,10 @@ struct FileKind {
 
 // The file dialog. `accept` gets an absolute path; a new one only when `saving`, and an existing one then only when the person
 // agrees to replace it. With a `size`, which the person can change, the file is a picture; with a `film` as well it is a film or
-// several pictures. Widgets: those of panels/film_form.hpp, "browser path",
-// "browser name", "browser ok", "browser cancel", "browser up", "browser home", "place 0", "browser hidden", "browser kind",
-// "browser kind TOML (.toml)", "browser sort name" ("size", "date"), "entry NAME", "export width", "export height", "export sizes",
-// "export 1920 x 1080", "export view", "export marks".
+// several pictures. Widgets: those of panels/film_form.hpp, "browser path", "browser name", "browser ok", "browser cancel",
+// "browser up", "browser home", "place 0", "browser hidden", "browser kind", "browser kind TOML (.toml)", "browser sort name"
+// ("size", "date"), "entry NAME", "export width", "export height", "export sizes", "export 1920 x 1080", "export view", "export
+// marks".
 struct FileBrowser {
     bool saving = false;  // a name may be new
     std::string title;

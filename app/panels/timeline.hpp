@@ -45,8 +45,8 @@ float timeline_height();
 float least_timeline_width(const PanelContext& context, const TimelineFacts& facts);
 
 // Draws into the current ImGui window, over its width; leaves out what has no room. Widgets: "first frame", "previous frame",
-// "play", "next frame", "last frame", "timeline", "slider frame", "frame number",
-// "frame time", "edits reach" or, where there is less room, "edits mark", "repeat", "speed", "speed 24 / s", "speed 5 ps / s".
+// "play", "next frame", "last frame", "timeline", "slider frame", "frame number", "frame time", "edits reach" or, where there is
+// less room, "edits mark", "repeat", "speed", "speed 24 / s", "speed 5 ps / s".
 void draw_timeline(const PanelContext& context, const TimelineFacts& facts, PlayChoices& choices);
 
 }  // namespace sphereview

@@ -1,4 +1,4 @@
-// A record of what changed under which revision of a scene, for code that keeps something made from an earlier one.
+// A record of the changes between revisions of a scene, for code that keeps results made from an earlier revision.
 #pragma once
 
 #include <cstddef>
@@ -11,17 +11,16 @@
 
 namespace sphereview {
 
-// What differs between the scenes of two revisions, to the bit, except that spheres that came and went again, or changed places
-// and changed back, are `order` all the same, and that after a change of very many spheres all count as changed. Names are left
-// out: no picture shows them.
+// The difference between the scenes of two revisions, to the bit. But spheres that came and went again, or changed places and back,
+// count as `order`, and after a change of very many spheres all count as changed. Names are left out: no picture shows them.
 struct ChangesSince {
-    bool order = false;  // spheres came, went or changed places: nothing of the old numbers holds
-    // With `order`, where one edit that let few come or go is all that happened to the spheres: the numbers that those have that
-    // came, or had that went, ascending. The others kept their values, and their order.
+    bool order = false;  // spheres came, went or changed places: old numbers do not hold
+    // With `order`, if a single edit that added or removed few spheres is all that happened: the new numbers of the added and the
+    // old numbers of the removed spheres, ascending. The others kept their values and order.
     std::vector<std::uint32_t> came;
     std::vector<std::uint32_t> went;
-    std::vector<std::uint32_t> spheres;  // unless `order`: those that got other values, ascending
-    bool geometry = false;  // of `spheres`: a centre, a radius or whether it is hidden; else only colours. With `order` true
+    std::vector<std::uint32_t> spheres;  // unless `order`: the changed spheres, ascending
+    bool geometry = false;               // a centre, a radius or `hidden` has changed, not only colours; true with `order`
     bool camera = false;
     bool background = false;
     bool light = false;
@@ -35,8 +34,7 @@ struct LoggedChange {
     std::vector<std::uint32_t> came;  // as in ChangesSince
     std::vector<std::uint32_t> went;
     ChangeSpheres spheres;  // unless `order`
-    // So many spheres that their old values are not kept, which a million of them would be in memory a second time; and whether
-    // a centre, a radius or what is hidden changed.
+    // Too many spheres changed to keep the old values; and whether a centre, a radius or `hidden` changed.
     bool many = false;
     bool many_geometry = false;
     std::optional<Camera> camera;
@@ -44,19 +42,19 @@ struct LoggedChange {
     std::optional<Light> light;
 };
 
-// Of the edit that led to `scene` and that `inverse` takes back.
+// The change by the edit that led to `scene` and whose inverse is `inverse`.
 LoggedChange change_undone_by(const Edit& inverse, const Scene& scene);
 
 class ChangeLog {
 public:
-    // How many changes are remembered, and how many old values of spheres in all.
+    // The most changes, and old values of spheres, that are remembered.
     static constexpr std::size_t most_changes = 1024;
     static constexpr std::size_t most_spheres = 65536;
 
     // The change led from that revision to the next one. Revisions ascend.
     void add(std::uint64_t revision, LoggedChange change);
 
-    // How `scene`, the present one, differs from that earlier revision's. Everything, where that is not, or no longer, known.
+    // How the present `scene` differs from an earlier revision's. Everything, if that revision is unknown or too old.
     ChangesSince since(std::uint64_t revision, const Scene& scene) const;
 
 private:

@@ -13,7 +13,7 @@ namespace sphereview {
 
 enum class ComparedBy { equal, unequal, less, at_most, greater, at_least };
 
-// A name, how it is compared, and with what; and in which columns of the text the two stand, from 1.
+// One comparison, with the columns of name and value in the text, from 1.
 struct ValueComparison {
     std::string name;
     ComparedBy by = ComparedBy::equal;
@@ -24,7 +24,7 @@ struct ValueComparison {
 
 class Condition {
 public:
-    // NAME = VALUE, with = == != < <= > >=, joined by and, or, not (also && || !) and brackets; what has blanks is in quotes.
+    // NAME = VALUE, with = == != < <= > >=, joined by and, or, not (also && || !) and brackets. Texts with blanks need quotes.
     // Throws InputError "column 8: found ..., expected ...".
     explicit Condition(std::string_view text);
 
@@ -35,24 +35,24 @@ private:
     friend class SphereTest;
     friend class ConditionParser;
 
-    // One after the other they work on a stack of truths: each takes what it joins and puts what becomes of it.
+    // Steps for a stack of truth values: each takes its operands and pushes its result.
     enum class Step : std::uint8_t { compare, both, either, negate };
 
     std::vector<ValueComparison> comparisons_{};
     std::vector<Step> steps_{};
 };
 
-// Whether a text compares something: then it is meant as a condition, and as no name.
+// Whether a text compares something, so that it is a condition and no name.
 bool is_condition(std::string_view text);
 
-// Whether a condition can ask for that of the scene's spheres: the name of a property, in any letter case, or one of x, y, z,
-// radius, number and name, which every sphere has.
+// Whether a condition for the scene can use `name`: a property in any letter case, or x, y, z, radius, number or name, which every
+// sphere has.
 bool can_compare(const Scene& scene, std::string_view name);
 
 // A condition for the spheres of a scene, which must not change meanwhile. A sphere without a value fulfils no comparison.
 class SphereTest {
 public:
-    // Throws InputError where the scene has no such property, or where words are compared with a number's property.
+    // Throws InputError if the scene lacks a property, or if a property of numbers is compared with a word.
     SphereTest(const Condition& condition, const Scene& scene);
 
     bool operator()(std::uint32_t sphere) const;
@@ -66,7 +66,7 @@ private:
         const Property* property = nullptr;
         double number = 0.0;
         std::string word{};
-        std::vector<bool> words{};  // of a category: which of its words fulfil it
+        std::vector<bool> words{};  // of a category: the words that fulfil the comparison
     };
 
     bool holds(const Test& test, std::uint32_t sphere) const;

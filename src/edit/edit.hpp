@@ -1,4 +1,4 @@
-// Changes of a scene. Each can be applied, and gives what takes it back.
+// Changes of a scene, each of which can be applied and inverted.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace sphereview {
 
-// A sphere with what a scene keeps beside it.
+// A sphere and its name.
 struct NamedSphere {
     Sphere sphere;
     std::string name;  // "" for none
@@ -18,32 +18,32 @@ struct NamedSphere {
     bool operator==(const NamedSphere&) const = default;
 };
 
-// Spheres get other values. The numbers ascend; spheres[i] is for numbers[i].
+// Gives spheres other values. The numbers ascend; spheres[i] is for numbers[i].
 struct ChangeSpheres {
     std::vector<std::uint32_t> numbers;
     std::vector<Sphere> spheres;
 };
 
-// Spheres come in. The numbers, which ascend, are those that they have afterwards.
+// Inserts spheres. The numbers ascend and count after the insertion.
 struct InsertSpheres {
     std::vector<std::uint32_t> numbers;
     std::vector<NamedSphere> spheres;
-    std::vector<Property> properties{};  // their values, for those properties of the scene that have one of these names
+    std::vector<Property> properties{};  // their values, for the scene's properties of the same names
 };
 
-// How many words a property of the scene had.
+// The number of words of a property.
 struct WordCount {
     std::string property;
     std::size_t words = 0;
 };
 
-// Spheres go out. The numbers ascend.
+// Removes spheres. The numbers ascend.
 struct RemoveSpheres {
     std::vector<std::uint32_t> numbers;
-    std::vector<WordCount> words{};  // of an insertion that is taken back: words behind these came with it
+    std::vector<WordCount> words{};  // to take an insertion back: drops the words behind these
 };
 
-// One sphere gets another place in the order; those between move up or down by one. Names go along.
+// Gives a sphere another number; those between move up or down by one. Names go along.
 struct ReorderSphere {
     std::uint32_t from = 0;
     std::uint32_t to = 0;
@@ -51,7 +51,7 @@ struct ReorderSphere {
 
 struct RenameSphere {
     std::uint32_t number = 0;
-    std::string name;  // "" takes the name away
+    std::string name;  // "" removes the name
 };
 
 struct ChangeCamera {
@@ -68,12 +68,12 @@ struct ChangeLight {
     Light light;
 };
 
-// All of them: they are few.
+// Replaces all saved views: they are few.
 struct ChangeViews {
     std::vector<SavedView> views;
 };
 
-// Everything becomes another scene, as when a file is read anew.
+// Replaces the whole scene, as when a file is read again.
 struct ReplaceScene {
     Scene scene;
 };
@@ -81,19 +81,19 @@ struct ReplaceScene {
 using Edit = std::variant<ChangeSpheres, InsertSpheres, RemoveSpheres, ReorderSphere, RenameSphere, ChangeCamera, ChangeBackground,
                           ChangeLight, ChangeViews, ReplaceScene>;
 
-// Applies an edit, whose numbers must fit the scene, and returns its inverse: applied next, it gives the same scene back,
-// and its own inverse is the edit. Moves what it can; copies nothing that the edit does not touch.
+// Applies an edit, whose numbers must fit the scene, and returns its inverse. Moves if possible, and copies nothing that the edit
+// does not touch.
 Edit apply(Edit edit, Scene& scene);
 
-// Whether the scene would be the same, bit for bit, after the edit. Places count even where equal spheres change them.
+// Whether the edit would leave the scene the same, bit for bit. Exchanging equal spheres counts as a change.
 bool changes_nothing(const Edit& edit, const Scene& scene);
 
-// The spheres that an edit is about, by the numbers that they have afterwards, ascending: those that are changed, put in, moved
-// or renamed. None for what goes out, and for what concerns the whole scene.
+// The spheres that an edit changes, inserts, moves or renames, by their numbers afterwards, ascending. None for removals and for
+// edits of the whole scene.
 std::vector<std::uint32_t> numbers_concerned(const Edit& edit);
 
-// The numbers that these spheres, ascending, have after the edit, ascending; without those that it takes out. For keeping a
-// selection. Another scene has, as far as anyone can tell, the same spheres under the same numbers.
+// The numbers of these spheres after the edit, for keeping a selection; both ascend. Removed spheres are left out; ReplaceScene
+// keeps all numbers.
 std::vector<std::uint32_t> numbers_after(const Edit& edit, std::vector<std::uint32_t> numbers);
 
 }  // namespace sphereview

@@ -1,4 +1,4 @@
-// Which spheres of a scene are selected, what they have in common, and finding those that have something in common.
+// The selected spheres of a scene, their common values, and spheres like them.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace sphereview {
 
-// A set of sphere numbers, with the one that was chosen last. The numbers are sorted and have a version, because a selection is
-// made rarely and asked often, a row or an outline at a time.
+// A set of sphere numbers, with the one that was chosen last. Sorted and with a version, because a selection changes rarely and is
+// asked often, for each row and outline.
 class Selection {
 public:
     // Ascending.
@@ -20,11 +20,11 @@ public:
     bool contains(std::uint32_t number) const;
     bool empty() const { return numbers_.empty(); }
     std::size_t size() const { return numbers_.size(); }
-    // The one chosen last, or, when that was taken out, the last of the others: whose values an editor shows. Nothing only in
-    // an empty set.
+    // The sphere whose values an editor shows: the one chosen last, or, if that was removed, the last of the others. Nothing only
+    // for an empty set.
     std::optional<std::uint32_t> primary() const { return primary_; }
 
-    // Never the same for two different sets, so that what was made of one is known to be of this. 0: the empty one.
+    // Never the same for two different sets, so it identifies what was made of a set. 0: the empty set.
     std::uint64_t version() const { return version_; }
 
     void clear();
@@ -32,11 +32,11 @@ public:
     void set_only(std::uint32_t number);
     void set_all(std::size_t count);  // 0..count - 1
     void toggle(std::uint32_t number);
-    // The numbers of 0..count - 1 that were not selected are selected, and no others.
+    // Selects the numbers of 0..count - 1 that were not selected, and no others.
     void invert(std::size_t count);
-    // Adds these ascending numbers; removes them when all were selected.
+    // Adds these ascending numbers; removes them if all were selected.
     void toggle_all(const std::vector<std::uint32_t>& numbers);
-    // Drops what a scene of so many spheres does not have.
+    // Drops numbers from `count` on.
     void keep_below(std::size_t count);
 
     bool operator==(const Selection& other) const {
@@ -59,7 +59,7 @@ inline constexpr std::size_t sphere_values = 7;
 constexpr bool is_color(SphereValue value) { return value > SphereValue::radius; }
 
 double value_of(const Sphere& sphere, SphereValue value);
-// `number`: what the value may be; of a colour a whole number from 0 to color_max.
+// `number`: within the value's range; for a colour a whole number from 0 to color_max.
 void set_value(Sphere& sphere, SphereValue value, double number);
 
 struct SharedValues {
@@ -69,20 +69,20 @@ struct SharedValues {
     };
 
     std::size_t count = 0;
-    std::array<Range, sphere_values> ranges{};  // of each SphereValue; low == high where all have the same
-    std::optional<Color> color;                 // that all have
-    std::size_t hidden = 0;                     // how many are
+    std::array<Range, sphere_values> ranges{};  // of each SphereValue; low == high if all are the same
+    std::optional<Color> color;                 // the common colour, if any
+    std::size_t hidden = 0;                     // number of hidden spheres
 
     const Range& range(SphereValue value) const { return ranges[static_cast<std::size_t>(value)]; }
 };
 
-// Of the spheres with these numbers, which `spheres` has.
+// The values of the spheres with these numbers, which must exist.
 SharedValues shared_values(const std::vector<Sphere>& spheres, const std::vector<std::uint32_t>& numbers);
 
-// Every sphere that has the colour of one of those; ascending.
+// All spheres with the colour of one of these; ascending.
 std::vector<std::uint32_t> colored_like(const std::vector<Sphere>& spheres, const std::vector<std::uint32_t>& numbers);
 
-// Every hidden sphere; ascending.
+// All hidden spheres; ascending.
 std::vector<std::uint32_t> hidden_ones(const std::vector<Sphere>& spheres);
 
 }  // namespace sphereview

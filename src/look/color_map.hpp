@@ -1,4 +1,4 @@
-// Colours that stand for numbers.
+// Colours for numbers and categories.
 #pragma once
 
 #include <array>
@@ -21,16 +21,15 @@ std::optional<ColorMap> color_map_named(std::string_view name);
 // "viridis, plasma, cividis, turbo, coolwarm or grey".
 std::string color_map_syntax();
 
-// Of a part from 0 to 1; what is beyond becomes the nearer end. Each of red, green and blue is within 3 of what the map's authors
-// published. The same on every machine: doubles made by + - * / in a fixed order.
+// The map's colour at `part`, 0 to 1; parts beyond get the nearer end. Red, green and blue are within 3 of the published map. The
+// same on every machine: doubles made by + - * / in a fixed order.
 Color color_of(ColorMap map, double part);
 
-// Of the spheres that have no value.
+// The colour of spheres without a value.
 inline constexpr Color no_value_color{128, 128, 128};
 
-// The colour of the n-th category. The first 7 are those of M. Okabe and K. Ito, "Color Universal Design", which people with any
-// kind of colour-blindness can tell apart, without black; then come lighter and darker ones of the same seven, 35 in all, and then
-// the first again.
+// The colour of the n-th category: first the 7 colours without black of M. Okabe and K. Ito, "Color Universal Design", which people
+// with any colour-blindness can tell apart; then lighter and darker ones of these, 35 in all; then the first again.
 Color category_color(std::size_t category);
 inline constexpr std::size_t category_colors = 35;
 

@@ -1,4 +1,4 @@
-// Colours by what a file holds of each sphere: a map of numbers, or one colour for each word.
+// Colours by a property: a map for numbers, or a colour for each word.
 #pragma once
 
 #include <cstddef>
@@ -12,63 +12,63 @@
 
 namespace sphereview {
 
-// Which categories have the palette's first colours, in this order: of several frames those of the first one. Any other category
-// has a colour of the rest by its name alone, the same in every frame.
+// The categories that have the palette's first colours, in this order; of several frames the first one's. Any other category has a
+// colour of the rest by its name alone, the same in every frame.
 struct CategoryOrder {
-    bool are_elements = false;         // with the usual colours of these, instead of the palette's
-    std::vector<std::string> names{};  // without that of spheres that have none
+    bool are_elements = false;         // the colours are the elements' usual ones
+    std::vector<std::string> names{};  // without "", the category of spheres without a value
 
     bool operator==(const CategoryOrder&) const = default;
 };
 
-// What is asked for.
+// A request for colours.
 struct ColorBy {
-    std::string property{};                // by its name, in any letter case
-    std::optional<ColorMap> map{};         // of numbers; none: viridis
+    std::string property{};                // in any letter case
+    std::optional<ColorMap> map{};         // for numbers; none: viridis
     std::optional<ValueRange> range{};     // none: from the least to the greatest
     bool log = false;                      // by the logarithm of the numbers
-    std::optional<CategoryOrder> order{};  // of categories; none: the scene's own
+    std::optional<CategoryOrder> order{};  // for categories; none: the scene's own
 
     bool operator==(const ColorBy&) const = default;
 };
 
 // Of a category.
 struct Category {
-    std::string name;  // "" of the spheres that have none
+    std::string name;  // "": spheres without a value
     Color color;
-    std::size_t count = 0;  // of the spheres with it that are not hidden
+    std::size_t count = 0;  // of its shown spheres
 
     bool operator==(const Category&) const = default;
 };
 
-// How values become colours: what a legend shows.
+// How values become colours, as a legend shows it.
 struct Coloring {
     std::string property{};
-    // Of numbers: a map and a range.
+    // For numbers: a map and a range.
     ColorMap map = ColorMap::viridis;
     ValueRange range{};
     bool log = false;
-    // Of words: not empty, in the order in which people look for them: elements by Hill (C, H, then by the alphabet), others by the
-    // alphabet, numbers by size; at last the one without a name.
+    // For words, else empty; in a legend's order: elements by Hill (C, H, then by the alphabet), other words by the alphabet,
+    // numbers by size; at last the one without a name.
     std::vector<Category> categories{};
-    CategoryOrder order{};          // by which these have their colours
-    std::size_t without_value = 0;  // of numbers: how many spheres that are not hidden have none
+    CategoryOrder order{};          // gives these their colours
+    std::size_t without_value = 0;  // for numbers: number of shown spheres without one
 
     bool is_category() const { return !categories.empty(); }
     bool operator==(const Coloring&) const = default;
 };
 
-// Whether a property is shown by category: words, and whole numbers that are called a type.
+// Whether a property is shown by category: words, and whole numbers with a name such as "type".
 bool shown_by_category(const Property& values);
 
-// Throws InputError, which begins with "NAME: ", where the values are not such as `by` asks for: a range for words, a logarithm of
-// numbers none of which is above 0. Elements keep the colours that every program gives them.
+// Throws InputError, which begins with "NAME: ", for values that do not suit `by`: a range for words, a logarithm of numbers none
+// of which is above 0. Elements get their usual colours.
 Coloring coloring_of(const Scene& scene, const Property& values, const ColorBy& by);
 
 // A colour for every sphere.
 std::vector<Color> colors_of(const Property& values, const Coloring& coloring);
 
-// Which part of the spheres have these colours, from 0 to 1: looked at for some of them, where there are many.
+// The part of the spheres with these colours, 0 to 1; of many spheres a sample is tested.
 double part_with_colors(const Scene& scene, const Property& values, const Coloring& coloring);
 
 // "colours by charge: viridis from -0.8 to 0.4", "colours by chain: 3 categories": for people.

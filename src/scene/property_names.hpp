@@ -13,8 +13,7 @@ namespace sphereview {
 enum class Likeness { none, without_unit, but_for_case, exact };
 Likeness likeness(std::string_view typed, std::string_view name);
 
-// The one that a person means, at least so alike: the most alike, and without its unit only one that no other is like. Null where
-// there is none.
+// The property whose name matches best, at least `least`; without its unit only if no other matches so. Null for none.
 const Property* property_meant(const std::vector<Property>& properties, std::string_view typed, Likeness least);
 
 }  // namespace sphereview

@@ -1,4 +1,4 @@
-// What is drawn, and how much room it takes up.
+// A scene, and its bounds.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace sphereview {
 
-// What a pixel shows where no sphere is. A transparent one makes the picture RGBA.
+// The colour of pixels that show no sphere. A transparent background makes the picture RGBA.
 struct Background {
     Color color{0, 0, 0};
     bool transparent = false;
@@ -25,10 +25,10 @@ struct Background {
     bool operator==(const Background&) const = default;
 };
 
-// How a background is written, for messages and help.
+// The syntax of a background for messages and help.
 inline constexpr std::string_view background_syntax = "black, white, transparent or #rrggbb";
 
-// Reads what background_syntax says. Returns false, and leaves `background` alone, for anything else.
+// Reads a text of background_syntax. Returns false, and leaves `background` alone, for another text.
 bool parse_background(std::string_view text, Background& background);
 
 // The shortest spelling that parse_background reads back as the same.
@@ -37,7 +37,7 @@ std::string to_string(const Background& background);
 // The most spheres a scene may have: their numbers, and the marks for doubtful pixels, share a signed 32-bit integer.
 inline constexpr std::int64_t most_spheres = 2'000'000'000;
 
-// A camera that the scene keeps beside its own, by a name that no other has and that view_name_fault() allows.
+// A camera that the scene keeps beside its own, by a unique name that view_name_fault() allows.
 struct SavedView {
     std::string name;
     Camera camera;
@@ -48,8 +48,8 @@ struct SavedView {
 // The sides that every scene can be seen from.
 inline constexpr std::array<std::string_view, 7> view_sides = {"front", "back", "left", "right", "top", "bottom", "iso"};
 
-// Why no saved view can be called that, whatever others are: it has no letter, or where a view is asked for by name it means
-// something else, a side or `AZIMUTH,ELEVATION`. "the name of a side"; "" where one can.
+// Why no saved view can have this name: it has no letter, or means a side or `AZIMUTH,ELEVATION`. "the name of a side"; "" if one
+// can.
 std::string view_name_fault(std::string_view name);
 
 // Spheres are numbered from 0 in file order; of two equal hits the lower number is seen.
@@ -60,17 +60,17 @@ struct Scene {
     Camera camera;
     Light light{};
     std::vector<SavedView> views{};
-    std::vector<Property> properties{};  // each with a value for every sphere; only those that were asked for
+    std::vector<Property> properties{};  // each with a value for every sphere; only those asked for
 
     bool operator==(const Scene&) const = default;
 };
 
-// What the spheres that are not hidden take up. Of an empty scene: what the default screen shows at z = 200.
+// The bounds of the shown spheres. Of an empty scene: what the default screen shows at z = 200.
 struct SceneBounds {
     glm::dvec3 low{-100.0, -100.0, 100.0};
     glm::dvec3 high{100.0, 100.0, 300.0};
     double largest_radius = 20.0;
-    std::size_t hidden = 0;  // how many spheres are
+    std::size_t hidden = 0;  // number of hidden spheres
 
     glm::dvec3 middle() const { return 0.5 * low + 0.5 * high; }
     // The longest side, but not less than the largest sphere: more than 0, and finite.
@@ -79,14 +79,14 @@ struct SceneBounds {
 
 SceneBounds bounds_of(const Scene& scene);
 
-// Whether values are the same bit for bit; with ==, -0 equals 0, and a file tells them apart.
+// Whether values are the same bit for bit. A file tells -0 from 0; == does not.
 inline bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 
 inline bool same_bits(const glm::dvec3& a, const glm::dvec3& b) {
     return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z);
 }
 
-// What decides which pixels a sphere may take.
+// Whether everything is the same that decides which pixels a sphere may take.
 inline bool same_geometry(const Sphere& a, const Sphere& b) {
     return same_bits(a.center, b.center) && same_bits(a.radius, b.radius) && a.hidden == b.hidden;
 }
