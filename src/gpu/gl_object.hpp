@@ -1,4 +1,4 @@
-// Owners of GL objects. All of this room assumes a current OpenGL 3.3 context with its functions loaded.
+// Owners of GL objects. This room assumes a current OpenGL 3.3 context with its functions loaded.
 #pragma once
 
 #include <glad/gl.h>
@@ -9,8 +9,7 @@
 
 namespace sphereview {
 
-// A move-only owner of one GL name; 0 is the empty state.
-// Generate: the function that makes names, where there is one.
+// A move-only owner of one GL name; 0 is the empty state. Generate: the function that makes names, if there is one.
 template <auto& Delete, auto&... Generate>
 class GlObject {
 public:
@@ -60,11 +59,11 @@ using Program = GlObject<glDeleteProgram>;
 // An integer limit of the context, such as GL_MAX_TEXTURE_SIZE.
 GLint gl_limit(GLenum name);
 
-// Of the bound 2D texture. An integer texture is complete only without filtering and mipmaps; else texelFetch reads 0, which is a
-// sphere.
+// Turns filtering and mipmaps of the bound 2D texture off. With these an integer texture is incomplete and texelFetch reads 0,
+// which is a sphere.
 void read_single_texels();
 
-// What the current context says of itself, and the limits that matter here.
+// The current context's strings, and the limits that matter here.
 struct GlDescription {
     std::string vendor;
     std::string renderer;
@@ -76,7 +75,7 @@ struct GlDescription {
 };
 GlDescription describe_gl();
 
-// Throws RenderError "DURING: GL error ..." if the context has an error; std::bad_alloc when its memory did not suffice.
+// Throws RenderError "DURING: GL error ..." if the context has an error, std::bad_alloc if it is a lack of memory.
 void check_gl(const char* during);
 
 }  // namespace sphereview

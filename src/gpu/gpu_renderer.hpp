@@ -16,13 +16,13 @@
 
 namespace sphereview {
 
-// Belongs to the context that is current when it is made; used and destroyed only while that is current.
+// Belongs to the context that is current at the construction; use and destroy it only while that is current.
 class GpuRenderer {
 public:
-    // Compiles the shaders (Phase::shaders) and draws one pixel to see that the context works. Throws RenderError.
+    // Compiles the shaders (Phase::shaders) and draws one pixel as a test of the context. Throws RenderError.
     explicit GpuRenderer(Timings& timings, const TextureBounds& bounds = {});
 
-    // How many spheres the uniform buffer holds: at least 1,024. More are in textures.
+    // The number of spheres that fit into the uniform buffer, at least 1,024. More are in textures.
     int uniform_capacity() const { return tables_.uniform_capacity(); }
 
     // The largest width and height of a block that trace() takes.
@@ -41,13 +41,13 @@ private:
     void self_check(Timings& timings);
 
     SceneTables tables_;
-    std::vector<std::string> defines_;  // that the shaders were compiled with
+    std::vector<std::string> defines_;  // of the compiled shaders
     Program trace_;
     VertexArray no_vertices_;
     Buffer draw_buffer_;
     NumberTarget visible_;
     DrawBlock draw_block_;
-    PixelRange covered_;  // of the picture; the rest shows no sphere
+    PixelRange covered_;  // pixels outside show no sphere
 };
 
 }  // namespace sphereview

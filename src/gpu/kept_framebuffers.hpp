@@ -1,11 +1,11 @@
-// Framebuffers that are bound again afterwards.
+// Restores the bound framebuffers.
 #pragma once
 
 #include "gpu/gl_object.hpp"
 
 namespace sphereview {
 
-// The framebuffers that are bound, until its end.
+// Keeps the bound framebuffers, and binds them again at its end.
 class KeptFramebuffers {
 public:
     KeptFramebuffers() : draw_(gl_limit(GL_DRAW_FRAMEBUFFER_BINDING)), read_(gl_limit(GL_READ_FRAMEBUFFER_BINDING)) {}

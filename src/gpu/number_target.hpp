@@ -14,14 +14,13 @@ namespace sphereview {
 // Draws are split into blocks of at most this side: a watchdog ends one that takes seconds.
 inline constexpr int preferred_block_side = 2048;
 
-// What of the block lies in the range; of width or height 0 or less: nothing.
+// The part of the block in the range; nothing if its width or height is 0 or less.
 Block common(const Block& block, const PixelRange& range);
 
-// Draws the one triangle that covers `block` of the bound framebuffer, in GL's coordinates, with the program in use.
-// Scissored: nothing else is touched.
+// Draws a triangle over `block` of the bound framebuffer, in GL's coordinates, with the program in use and scissored.
 void draw_block(const VertexArray& no_vertices, const Block& block);
 
-// Row 0 is the top row of what is drawn. Draw calls leave it bound as the framebuffer, for drawing and reading.
+// Row 0 is the top row. Draw calls leave this target bound as the framebuffer, for drawing and reading.
 class NumberTarget {
 public:
     NumberTarget();
@@ -29,10 +28,10 @@ public:
     // The largest width and height that the context offers.
     int largest_side() const { return largest_side_; }
 
-    // Makes it at least so large; what it held is lost when it grows. At most largest_side(). Throws RenderError.
+    // Makes the buffer at least so large, up to largest_side(); loses its content when it grows. Throws RenderError.
     void require(int width, int height);
 
-    // Writes the number everywhere. (Into a part, with the scissor, Mesa clears as slowly as it draws.)
+    // Writes the number everywhere. (Mesa would clear a part, with the scissor, as slowly as it draws.)
     void fill(std::int32_t number) const;
 
     // Writes the block with the program in use.

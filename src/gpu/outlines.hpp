@@ -24,12 +24,12 @@ struct OutlinePrograms {
     Program outline;
 };
 
-// The shaders shift and do not divide: an integer division for each pixel made a redraw on llvmpipe three times as long. Outlines
-// are looked for only in the cells near a marked sphere.
+// The shaders shift instead of dividing: an integer division for each pixel made a redraw on llvmpipe three times as long. Outlines
+// are searched for only in cells near a marked sphere.
 class Outlines {
 public:
-    // Draws into framebuffer `window` what `block`, which is uploaded, says of the picture in `visible`. The marked spheres are in
-    // `range` of it.
+    // Draws the outlines of the picture in `visible` into the framebuffer `window`. `block`: uploaded already. `range`: pixels
+    // outside show no marked sphere.
     void draw(const OutlinePrograms& programs, const VertexArray& no_vertices, const NumberTarget& visible, const DrawBlock& block,
               const PixelRange& range, const WindowArea& area, GLuint window);
 

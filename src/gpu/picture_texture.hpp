@@ -6,8 +6,7 @@
 
 namespace sphereview {
 
-// Puts a picture into a texture, which is made if there is none; each texel is seen as it is. The picture is no larger than the
-// context's textures.
+// Uploads a picture, at most as large as the context's textures, into a texture without filtering, which is made if empty.
 void upload(const Image& picture, Texture& texture);
 
 }  // namespace sphereview

@@ -1,4 +1,4 @@
-// GL programs made from shader files: GLSL as written, with `#include "FILE"`, which GL does not have.
+// Makes GL programs from shader files: GLSL with `#include "FILE"`, which GL lacks.
 #pragma once
 
 #include <map>
@@ -11,26 +11,25 @@
 
 namespace sphereview {
 
-// The shaders in the program, by file name. Made from shaders/ by the build.
+// The shaders in the program, by file name; the build makes them from shaders/.
 const std::map<std::string, std::string_view, std::less<>>& embedded_shaders();
 
-// The shaders to compile, by file name: those in the program, or, of a folder that a person edits, the files it has; what it lacks
-// is the program's own, so that a folder with one changed file is enough.
+// The shaders to compile, by file name: the files of a folder that a person edits, and the program's own for all that the folder
+// lacks, so that a folder with one changed file is enough.
 class ShaderFiles {
 public:
     ShaderFiles() = default;
     // Reads all files of the folder that may be shaders (.vert, .frag, .glsl). Throws InputError.
     explicit ShaderFiles(const std::string& folder);
 
-    // Throws RenderError when there is no such file, or none that can be read again and again, such as a FIFO. Valid as long as
-    // this object.
+    // Throws RenderError when there is no such file, or only one that is not regular, such as a FIFO. Valid as long as this object.
     std::string_view text(std::string_view file) const;
 
 private:
-    std::map<std::string, std::optional<std::string>, std::less<>> read_;  // nothing for what is no regular file
+    std::map<std::string, std::optional<std::string>, std::less<>> read_;  // nothing for a file that is not regular
 };
 
-// A shader ready for GL, and the files that it came from: source string number i of a log is files[i].
+// A shader ready for GL, and its files: source string number i in a log is files[i].
 struct ShaderSource {
     std::string text;
     std::vector<std::string> files;

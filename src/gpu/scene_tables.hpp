@@ -22,61 +22,61 @@ namespace sphereview {
 
 inline constexpr TileCosts gpu_tile_costs = {.smallest_shift = 1, .candidate = 4.0, .test = 1.0};
 
-// The scene is more than the context can hold; another renderer may.
+// The scene is too large for the context, but perhaps not for another renderer.
 class TooLarge : public RenderError {
 public:
     using RenderError::RenderError;
 };
 
-// What a window knows of a drawn sphere: its colour, and in the last byte whether it is selected (255) or not (0).
+// A drawn sphere's colour in a window; the last byte is 255 if the sphere is selected, else 0.
 using ShownColor = std::array<std::uint8_t, 4>;
 
-// Of all drawn spheres, none selected: the scene's colours, or under Shading::id false ones.
+// The colours of all drawn spheres, none selected: the scene's, or false ones for Shading::id.
 std::vector<ShownColor> shown_colors(const Scene& scene, const DrawnSpheres& drawn, Shading shading = Shading::flat);
-// Of the sphere of that number, not selected.
+// The colour of one sphere, not selected.
 ShownColor shown_color(const Scene& scene, std::int32_t number, Shading shading);
 
-// What a background is to shaders: 0..1, with alpha.
+// A background for shaders: 0..1, with alpha.
 glm::vec4 shown_background(const Background& background);
 
-// What trace.frag must know of a picture, but for the part that is drawn. `scale`: the drawn spheres'.
+// The block for trace.frag, without the part that is drawn. `scale`: the drawn spheres'.
 DrawBlock draw_block_of(const CandidateLists& lists, const Camera& camera, PictureSize size, int scale);
 
-// Uploads it and binds it for the next draw.
+// Uploads the block and binds it for the next draw.
 void upload_draw_block(const Buffer& buffer, const DrawBlock& block);
 
 class SceneTables {
 public:
-    // In textures there will be room for so many more spheres.
+    // `spare_spheres`: textures get room for so many more.
     explicit SceneTables(const TextureBounds& bounds = {}, std::size_t spare_spheres = 0);
 
     // How many spheres the uniform buffer holds: at least 1,024. More are in textures.
     int uniform_capacity() const { return uniform_capacity_; }
 
-    // What shaders need defined to find a scene with these lists. Throws TooLarge if the context cannot hold it.
+    // The defines by which shaders find a scene with these lists. Throws TooLarge if the context cannot hold the scene.
     std::vector<std::string> defines_for(const DrawnSpheres& spheres, const CandidateLists& lists) const;
 
     // Replaces all but the colours. Throws as defines_for(), before it uploads anything.
     void upload(const DrawnSpheres& spheres, const CandidateLists& lists);
-    // As many as there are spheres.
+    // `colors`: one for each sphere.
     void upload_colors(std::span<const ShownColor> colors);
 
-    // Whether so many spheres go into textures, which take edits in proportion to what they touch. What fits into the uniform
-    // buffer is quickly uploaded anew.
+    // Whether the spheres are in textures, which take edits in proportion to the changed texels. The uniform buffer is quickly
+    // uploaded anew instead.
     bool take_edits_of(const DrawnSpheres& spheres) const { return !fits_in_block(spheres); }
-    // Uploads what changed, if it takes edits. The lists must have kept their sizes.
+    // Uploads what changed, if take_edits_of(). The lists must have kept their sizes.
     void update(const DrawnSpheres& spheres, const CandidateLists& lists, const LiveLists::Changed& changed);
-    // Of the spheres with these indices, in any order.
+    // Uploads the colours of the spheres with these indices, in any order.
     void update_colors(std::span<const ShownColor> colors, std::span<const std::uint32_t> indices);
 
     // Where the spheres are: "uniform buffer", "buffer textures" or "2D textures".
     std::string storage() const;
 
-    // For the next draws: anyone may have bound other things since.
+    // Binds everything for the next draws: others may have bound other objects since.
     void bind() const;
 
 private:
-    // Where the spheres and lists are; each place has its own shaders.
+    // Where the spheres and lists are; each variant has its own shaders.
     struct Storage {
         bool in_block = true;
         TableLimits tables;

@@ -1,4 +1,4 @@
-// What a window knows of the drawn spheres besides where they are: their colours, and which are selected.
+// The drawn spheres' colours in a window, and which spheres are selected.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,23 @@
 
 namespace sphereview {
 
-// Where more spheres than this are selected they are outlined as one set, and tinted: a line around each would hide the picture.
+// More selected spheres than this are tinted and outlined as one set: a line around each would hide the picture.
 inline constexpr std::size_t most_outlined_alone = 200;
 
 class ShownColors {
 public:
-    // All anew.
+    // Sets all colours anew.
     void set(const Scene& scene, const DrawnSpheres& drawn, Shading shading);
 
-    // Edits were followed: spheres may have come, at the end; these got other values, and with `order` others have other numbers.
+    // Follows edits: spheres may have been added at the end, the spheres `numbers` have changed, and with `order` numbers have
+    // changed.
     void follow(const Scene& scene, const DrawnSpheres& drawn, Shading shading, std::span<const std::uint32_t> numbers, bool order);
 
-    // Marks these, given by their numbers, as selected, and no others.
+    // Marks these numbers as selected, and no others.
     void mark(const std::vector<std::uint32_t>& numbers, const DrawnSpheres& drawn);
     bool are_marked(const std::vector<std::uint32_t>& numbers) const { return marks_known_ && numbers == marked_numbers_; }
 
-    // Uploads what is not uploaded yet.
+    // Uploads all changes since the last upload.
     void upload(SceneTables& tables);
 
 private:
@@ -39,7 +40,7 @@ private:
 
     std::vector<std::uint32_t> marked_;  // indices
     std::vector<std::uint32_t> marked_numbers_;
-    bool marks_known_ = false;  // marked_numbers_ are theirs
+    bool marks_known_ = false;  // marked_ are marked_numbers_
 };
 
 }  // namespace sphereview

@@ -14,7 +14,7 @@
 
 namespace sphereview {
 
-// What to use of what the context offers, in texels; less than all for tests.
+// Bounds on the use of textures, in texels; tests set less than the context offers.
 struct TextureBounds {
     std::size_t in_buffer = std::numeric_limits<std::size_t>::max();
     std::size_t side = std::numeric_limits<std::size_t>::max();
@@ -29,7 +29,7 @@ struct TableLimits {
 // Buffer textures if they hold `texels`, or at least as much as 2D textures do.
 TableLimits table_limits(std::size_t texels, const TextureBounds& bounds);
 
-// The defines that shaders need for it.
+// The shaders' defines for these limits.
 std::vector<std::string> table_defines(const TableLimits& limits);
 
 // What a texel is.
@@ -39,14 +39,14 @@ enum class TexelKind { vec4, rgba8, uint_pair, uint };
 class Table {
 public:
     // Uploads `count` texels, with room for `spare` more, in all fewer than limits.most_texels, and binds the texture to its unit.
-    // One more can be fetched.
+    // Shaders may fetch one texel beyond.
     void upload(const void* data, std::size_t count, TexelKind kind, TextureUnit unit, const TableLimits& limits,
                 std::size_t spare = 0);
 
-    // Replaces `count` texels from number `first` on, spare ones included, of what was uploaded.
+    // Replaces `count` uploaded or spare texels from number `first` on.
     void update(const void* texels, std::size_t first, std::size_t count);
 
-    // Binds the texture, if anything was uploaded, to its unit, and leaves that the active one.
+    // Binds the texture, if anything was uploaded, to its unit, which becomes the active one.
     void bind(TextureUnit unit) const;
 
 private:

@@ -1,4 +1,4 @@
-// Whether two pictures are the same, and where they are not.
+// Compares two pictures.
 #pragma once
 
 #include <array>
@@ -30,10 +30,9 @@ struct Comparison {
 // Compares byte for byte; a picture without alpha counts as opaque.
 Comparison compare(const Image& actual, const Image& expected);
 
-// The same with a file, of which only a row is in memory at a time; one of another size is not read. `difference`: where a picture
-// of the difference is wanted, made also for another size: equal pixels as the actual picture dimmed to a quarter, different ones
-// white; where only one picture reaches, magenta. As large as both pictures together. Throws as PngReader::read, InputError when
-// that is too large, and MemoryError when it cannot fit.
+// The same with a file, of which only a row is in memory at a time; a file of another size is not read. `difference`, if not null,
+// becomes a picture as large as both together: equal pixels dimmed to a quarter, different ones white, magenta where only one
+// picture reaches. Throws as PngReader::read, InputError if that picture is too large, and MemoryError when it cannot fit.
 Comparison compare(const Image& actual, PngReader& expected, Image* difference = nullptr);
 
 // One line: how many pixels differ, how far, where the first is; or the two sizes.

@@ -9,8 +9,7 @@
 
 namespace sphereview {
 
-// Width x height pixels of 3 (RGB) or 4 (RGBA) bytes, top row first, without padding. Starts with unspecified bytes:
-// whoever makes a picture writes all of it.
+// Width x height pixels of 3 (RGB) or 4 (RGBA) bytes, top row first, without padding. Begins with unspecified bytes.
 class Image {
 public:
     Image() = default;
@@ -20,7 +19,6 @@ public:
           channels_(channels),
           bytes_(std::make_unique_for_overwrite<std::uint8_t[]>(size_of(width, height, channels))) {}
 
-    // Another one with the same bytes.
     Image copy() const {
         Image other(width_, height_, channels_);
         std::copy_n(bytes_.get(), bytes().size(), other.bytes_.get());
@@ -52,12 +50,11 @@ private:
 // The most pixels a picture may have: the PNG writer counts its bytes, 4 a pixel and one a row, in 31 bits.
 inline constexpr std::int64_t most_pixels = (std::int64_t{1} << 31) / 5;
 
-// Each pixel of `picture` from (x, y) on becomes the average of the side x side pixels of `points` that belong to it; `points` has
-// `side` times the width and height of that part of the picture, and as many channels. side: 1, 2 or 4.
-// Whole numbers, halves rounded up: round(sum / n) of the stored bytes. With alpha, a: round(sum a / n), and each colour counts as
-// much as its point covers: round(sum (a colour) / sum a); where a is 0, all is 0.
-// The average is of the stored bytes, not of linear light: a scene's colours are numbers without a colour space. Anyone can check
-// an average, or make another one from the larger picture.
+// Sets each pixel of a part of `picture`, whose corner is (x, y), to the average of side x side pixels of `points`, which has
+// `side` times the part's size and as many channels. side: 1, 2 or 4. Whole numbers, halves rounded up: round(sum / n) of the
+// stored bytes. With alpha, a: round(sum a / n), and each colour counts as much as its point covers: round(sum (a colour) / sum a);
+// where a is 0, all is 0. The average is of the stored bytes, not of linear light: a scene's colours are numbers without a colour
+// space. Anyone can check an average, or make another one from the larger picture.
 void average_into(const Image& points, int side, Image& picture, int x, int y);
 
 }  // namespace sphereview

@@ -17,10 +17,9 @@ namespace sphereview {
 // on every processor; another release of the compressor may pack differently. Throws std::bad_alloc when memory does not suffice.
 std::string encode_png(const Image& image);
 
-// The name under which a picture is written that is to go to `path`, which may hold {name}: `path` with ".png" behind it where the
-// file's name has no ending. An ending is a letter and at most four more letters or digits behind the last dot. Devices, FIFOs,
-// folders and "-" stay as they are. Throws InputError for another ending than .png, which would promise what the file is not, and
-// for a dot at the end, behind which there is none.
+// `path`, which may hold {name}, with ".png" added where the file's name has no ending. An ending is a letter and at most four more
+// letters or digits behind the last dot. Devices, FIFOs, folders and "-" stay as they are. Throws InputError for another ending
+// than .png, which would be wrong for the file, and for a dot at the end.
 std::string png_name(const std::string& path);
 
 // Pixels of one row: first_x, first_x + step and so on. Only an interlaced PNG has steps other than 1.
@@ -28,7 +27,7 @@ struct PngRow {
     int y;
     int first_x;
     int step;
-    std::span<const std::uint8_t> bytes;  // of the pixels, one after the other
+    std::span<const std::uint8_t> bytes;  // the pixels, one after the other
 };
 
 // Reads a PNG of any kind as 8-bit RGB, or RGBA where it has transparency; 16-bit channels are refused rather than rounded. Only a
@@ -49,7 +48,7 @@ public:
     int height() const;
     int channels() const;  // 3 or 4
 
-    // Calls `take` for all rows, in the file's order: an interlaced PNG has seven rough pictures one after the other. Once.
+    // Calls `take` for all rows, in the file's order: an interlaced PNG has seven rough pictures. Call once.
     void read(const std::function<void(const PngRow&)>& take);
 
 private:

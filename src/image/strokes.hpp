@@ -19,7 +19,7 @@ struct StrokePlace {
     int y = 0;
 };
 
-// A line with round ends; a dot where both are the same. No longer than a picture's side.
+// A line with round ends, at most as long as a picture's side; a dot if both ends are the same.
 struct Stroke {
     StrokePlace from;
     StrokePlace to;
@@ -27,14 +27,14 @@ struct Stroke {
     std::array<std::uint8_t, 3> color{255, 255, 255};
 };
 
-// Draws one over the other. A pixel takes the colour by how many of its 4 x 4 points are covered, halves rounded up; what is beyond
-// the picture is left out. In a picture with alpha what is covered becomes opaque.
+// Draws the strokes one over the other. A pixel takes the colour in proportion to its covered 4 x 4 points, halves rounded up.
+// Covered pixels become opaque.
 void draw(std::span<const Stroke> strokes, Image& picture);
 
-// Letters of printable ASCII, others being left out, from their top left corner: capitals are 7 `unit`s high, lines `width` wide.
+// Letters of printable ASCII from their top left corner, without other characters: capitals are 7 `unit`s high, lines `width` wide.
 std::vector<Stroke> strokes_of_text(std::string_view text, StrokePlace corner, int unit, int width,
                                     const std::array<std::uint8_t, 3>& color);
-// How wide that is, from the outer edge of the first line to that of the last, in sixteenths of a pixel.
+// The width of the text between its outer edges, in sixteenths of a pixel.
 int width_of_strokes(std::string_view text, int unit);
 inline constexpr int height_of_letters = 7;  // in units
 

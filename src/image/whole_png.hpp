@@ -1,12 +1,12 @@
-// Whether a picture is there already.
+// Finds out whether a picture exists already.
 #pragma once
 
 #include <string>
 
 namespace sphereview {
 
-// Whether `path` is a PNG of that size that is not cut off: it begins with the head of one and ends with the end of one. What lies
-// between is not looked at. False for what cannot be read.
+// Whether `path` is a PNG of that size that is not cut off: it has a PNG's head and end; what is between is not read. False for
+// unreadable files.
 bool is_whole_png(const std::string& path, int width, int height);
 
 }  // namespace sphereview

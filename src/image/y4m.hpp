@@ -15,7 +15,7 @@ struct FrameRate {
     bool operator==(const FrameRate&) const = default;
 };
 
-// What such a film begins with.
+// The beginning of such a film.
 std::string y4m_head(int width, int height, FrameRate rate);
 
 // One picture of it; alpha is left out. Of each pixel, by ITU-R BT.709 with luma from 16 to 235, with halves rounded up:

@@ -1,4 +1,4 @@
-// A picture of somebody's own ray tracer, pixel by pixel beside what it should be.
+// Compares a picture of somebody's own ray tracer pixel by pixel with the right one.
 #pragma once
 
 #include <atomic>
@@ -19,14 +19,14 @@ inline std::uint32_t packed_color(const Color& color) {
     return static_cast<std::uint32_t>(color.r) << 16 | static_cast<std::uint32_t>(color.g) << 8 | color.b;
 }
 
-// How a program may write colours that it takes for numbers from 0 to 1: clamped there, or divided by 255 and not multiplied again.
+// Mistakes with colours from 0 to 1: clamped to that, or divided by 255 and not multiplied again.
 enum class ColorScale { right, clamped, divided };
 
-// How a person's program may write the right number in the wrong colour.
+// How a program may show the right sphere in a wrong colour.
 struct Palette {
     bool red_and_blue_swapped = false;
     ColorScale scale = ColorScale::right;
-    bool inexact = false;               // off by so little that no other colour is meant
+    bool inexact = false;               // off by at most most_off: the colour is meant
     std::optional<Color> background{};  // instead of the right one
 
     static constexpr int most_off = 4;  // of 255
@@ -34,19 +34,19 @@ struct Palette {
     bool operator==(const Palette&) const = default;
 };
 
-// Pixels are counted row by row. The picture and the scene must outlive it.
+// Pixels are numbered row by row. The picture and the scene must outlive this object.
 class Comparer {
 public:
     Comparer(const Image& picture, const Scene& scene, const Background& background);
 
-    // Whether a sphere that is not hidden has that colour.
+    // Whether a shown sphere has that colour.
     bool is_of_sphere(std::uint32_t packed) const { return sphere_of_color_.contains(packed); }
 
-    // What has that colour: visible_background, or the first sphere of the file that is not hidden. background_found: what the
-    // picture shows instead of the right background.
+    // The number that has that colour: visible_background, or the first shown sphere of that colour; nothing for an unknown colour.
+    // background_found: the picture's colour instead of the right background.
     std::optional<std::int32_t> number_of(const Color& color, const std::optional<Color>& background_found) const;
 
-    // Of a transparent background in a picture that has alpha; otherwise alpha is passed over.
+    // The alpha of pixel i; nothing, as alpha does not count, unless the background is transparent and the picture has alpha.
     std::optional<std::uint8_t> alpha(std::size_t i) const {
         if (!background_.transparent || picture_.channels() != 4) return std::nullopt;
         return picture_.bytes()[4 * i + 3];
@@ -56,13 +56,13 @@ public:
 
     Color right(std::int32_t number) const;
 
-    // Whether pixel i is as a program with that palette shows that number.
+    // Whether pixel i shows that number in that palette.
     bool shows(std::size_t i, std::int32_t number, const Palette& palette) const;
 
-    // Of pixel i, which should show that number; of no share.
+    // The difference of pixel i, which should show that number, without its share.
     DifferingPixel difference(std::size_t i, std::int32_t number, const std::optional<Color>& background_found) const;
 
-    // For how many pixels is(i) holds.
+    // The number of pixels for which is(i) holds.
     template <typename Is>
     std::int64_t count(const Is& is) const {
         std::atomic<std::int64_t> all = 0;

@@ -1,4 +1,4 @@
-// Why a picture of somebody's own ray tracer differs from the right one: which usual mistakes explain it.
+// Finds the usual mistakes that explain why a picture of somebody's own ray tracer is wrong.
 #pragma once
 
 #include <cstddef>
@@ -13,20 +13,20 @@
 
 namespace sphereview {
 
-// A mistake, and how many of the differing pixels show what it makes of them.
+// A mistake, and the number of differing pixels that it explains.
 struct MistakeShare {
     std::string name;   // for programs
     std::string words;  // for people
     std::int64_t pixels = 0;
-    Color mark{};  // its pixels in the picture of the difference
+    Color mark{};  // its colour in the picture of the difference
 };
 
 // One of the differing pixels.
 struct DifferingPixel {
     Pixel pixel;
     Color found;
-    std::optional<std::uint8_t> alpha{};  // that was found, where alpha counts: 0 was expected of the background, else 255
-    // What has that colour in the scene: the first such sphere or visible_background; none where nothing has.
+    std::optional<std::uint8_t> alpha{};  // the found alpha, where alpha counts; the background's is 0, else 255
+    // The first sphere of that colour, or visible_background; nothing if the scene has no such colour.
     std::optional<std::int32_t> found_number{};
     Color expected{};
     std::int32_t expected_number = 0;
@@ -36,22 +36,22 @@ struct DifferingPixel {
 struct Diagnosis {
     std::int64_t pixels = 0;
     std::int64_t different = 0;
-    std::vector<std::string> likeliest{};    // the names of the mistakes that together explain most; none: no usual one
+    std::vector<std::string> likeliest{};    // the mistakes that together explain most; empty: no usual one
     std::string likeliest_words{};           // the same for people
-    std::string style{};                     // "shaded" or "smoothed" where the picture looks so, rather than wrong; else ""
+    std::string style{};                     // "shaded" or "smoothed" if the picture looks so rather than wrong; else ""
     std::string style_words{};               // the same for people
-    std::vector<std::string> as_likely{};    // names of single mistakes that this picture cannot tell from the likeliest one
+    std::vector<std::string> as_likely{};    // single mistakes that this picture cannot tell from the likeliest one
     std::string as_likely_words{};           // the same for people
-    std::optional<Color> background{};       // that the likeliest mistake has instead of the right one
-    std::int64_t explained = 0;              // differing pixels that show what the likeliest mistakes make of them
-    std::int64_t contradicting = 0;          // right pixels which those would change
+    std::optional<Color> background{};       // the likeliest mistake's background, if it is another
+    std::int64_t explained = 0;              // differing pixels that the likeliest mistakes explain
+    std::int64_t contradicting = 0;          // right pixels that these mistakes would change
     std::vector<MistakeShare> shares{};      // of all differing pixels, each counted once; the likeliest mistakes first
     std::vector<DifferingPixel> examples{};  // up to three, of the largest share
 };
 
-// Compares a picture with the right flat one of the scene at the same size. Where that has a transparent background, alpha 0 is
-// background; otherwise alpha is passed over. `marked`: where a picture of the difference is wanted: equal pixels dimmed to a
-// quarter, different ones in their share's mark.
+// Compares a picture with the scene's right flat one of the same size. With a transparent background alpha 0 is background; else
+// alpha is passed over. `marked`, if not null, becomes the picture of the difference: equal pixels dimmed to a quarter, different
+// ones in their share's mark.
 Diagnosis diagnose(const Image& picture, const Scene& scene, const Background& background, WrongPictures& wrong,
                    Image* marked = nullptr);
 

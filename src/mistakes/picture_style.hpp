@@ -1,4 +1,4 @@
-// Whether a picture that differs from the flat one of a scene is of another style rather than wrong.
+// Tells whether a picture differs from the flat one in style, rather than being wrong.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 namespace sphereview {
 
 enum class PictureStyle {
-    flat,     // or nothing that is known
+    flat,     // or unknown
     shaded,   // the right outlines, with many colours on a sphere
     smoothed  // the right colours, mixed at the outlines
 };

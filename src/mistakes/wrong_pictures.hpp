@@ -1,4 +1,4 @@
-// How a ray tracer with usual mistakes sees a scene: for each pixel the number of the sphere that it would show.
+// Pictures of a scene by ray tracers with usual mistakes, as numbers of spheres.
 #pragma once
 
 #include <cstdint>
@@ -11,26 +11,26 @@
 
 namespace sphereview {
 
-// What wrong tracers see of a scene from its own camera, in pictures of one size. The scene must outlive it.
+// The pictures by the scene's own camera, of one size. The scene must outlive this object.
 class WrongPictures {
 public:
-    // Throws MemoryError when what is kept cannot fit.
+    // Throws MemoryError when the numbers cannot fit.
     WrongPictures(const Scene& scene, PictureSize size);
     ~WrongPictures();
 
     PictureSize size() const { return size_; }
 
-    // Whether the tracer's picture takes so long that it is not worth its time: where rays hit nearly all spheres.
+    // Whether the tracer's picture takes too long, because rays hit nearly all spheres.
     bool takes_too_long(const WrongTracer& tracer) const;
 
     // Forgets the numbers of tracers with several mistakes: another picture seldom needs them.
     void forget_combinations();
 
-    // Row by row the number of the sphere that each pixel shows, or visible_background. Made at the first call and kept.
+    // The number of the sphere that each pixel shows, or visible_background, row by row. Made at the first call and kept.
     const std::vector<std::int32_t>& numbers(const WrongTracer& tracer);
 
-    // The numbers, perhaps visible_background among them, of what float arithmetic without care may show in a pixel instead of
-    // the right sphere. One number where it surely sees the right one.
+    // The numbers, perhaps with visible_background, that careless float arithmetic may show in a pixel: the right one alone if that
+    // is sure.
     std::vector<std::int32_t> numbers_in_float(Pixel pixel);
 
 private:

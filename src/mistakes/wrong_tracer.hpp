@@ -10,13 +10,13 @@
 
 namespace sphereview {
 
-// How a mistake is called: `name` in reports for programs, `words` for people.
+// The names of a mistake: `name` for programs, `words` for people.
 struct MistakeWords {
     std::string_view name;
     std::string_view words;
 };
 
-// Where the picture's x and y point. The first of each of these is right, the others are mistakes.
+// The directions of the picture's x and y. In this and the next enums the first value is right, the others are mistakes.
 enum class Orientation { right, y_down, x_mirrored, turned, swapped };
 inline constexpr std::array<MistakeWords, 5> orientation_words = {{
     {"", ""},
@@ -26,7 +26,7 @@ inline constexpr std::array<MistakeWords, 5> orientation_words = {{
     {"x-y-exchanged", "rows and columns are exchanged"},
 }};
 
-// Through which points of the screen the rays go.
+// The points of the screen that rays go through.
 enum class RayPlace { center, top_left, top_right, bottom_left, bottom_right, edges, stretched };
 inline constexpr std::array<MistakeWords, 7> ray_place_words = {{
     {"", ""},
@@ -38,7 +38,7 @@ inline constexpr std::array<MistakeWords, 7> ray_place_words = {{
     {"stretched", "the square screen is stretched over a picture that is not square"},
 }};
 
-// Which root of the quadratic is taken.
+// The root of the quadratic that counts.
 enum class RootRule { right, far_root, inside_missed };
 inline constexpr std::array<MistakeWords, 3> root_rule_words = {{
     {"", ""},
@@ -46,14 +46,14 @@ inline constexpr std::array<MistakeWords, 3> root_rule_words = {{
     {"inside-missed", "a sphere around the eye is missed: t2 is not tried where t1 is negative"},
 }};
 
-// Where the roots may lie.
+// Where roots may lie.
 enum class SideRule { in_front, behind };
 inline constexpr std::array<MistakeWords, 2> side_rule_words = {{
     {"", ""},
     {"behind-the-eye", "what lies behind the eye counts: a negative t is not left out"},
 }};
 
-// When there are roots.
+// The rule for the existence of roots.
 enum class DiscriminantRule { right, tangent_missed, without_four };
 inline constexpr std::array<MistakeWords, 3> discriminant_rule_words = {{
     {"", ""},
@@ -61,7 +61,7 @@ inline constexpr std::array<MistakeWords, 3> discriminant_rule_words = {{
     {"discriminant", "the discriminant is b^2 - a c instead of b^2 - 4 a c"},
 }};
 
-// Which of the hits is shown.
+// The hit that is shown.
 enum class HitRule { nearest, last_of_equals, first_in_file, last_in_file, farthest };
 inline constexpr std::array<MistakeWords, 5> hit_rule_words = {{
     {"", ""},
@@ -83,11 +83,11 @@ struct WrongTracer {
     auto operator<=>(const WrongTracer&) const = default;
 };
 
-// The tracers with one mistake more than this one, of those that can make a difference in a picture of that size.
+// The tracers with one mistake more that can make a difference in a picture of that size.
 std::vector<WrongTracer> with_one_more_mistake(const WrongTracer& tracer, PictureSize size);
 
-// The camera whose right picture shows the tracer's mistakes of orientation and place. Its numbers are rounded once: a ray is off
-// by some 1e-16 of the picture's size, far less than what tells two mistakes apart.
+// The camera whose right picture shows the tracer's mistakes of orientation and place. Rounding moves a ray by some 1e-16 of the
+// picture's size, far less than any two mistakes differ.
 Camera seen_wrongly(Camera camera, const WrongTracer& tracer, PictureSize size);
 
 // The mistakes of a tracer, one each.

@@ -1,4 +1,4 @@
-// A shared library opened while the program runs, so that one binary starts where it is missing.
+// A shared library that is opened at run time, so that the program also starts without it.
 #pragma once
 
 #include <string>

@@ -10,8 +10,8 @@ enum class FontFamily {
     monospaced  // all letters equally wide: for columns
 };
 
-// The file of the system's usual font of a family that ImGui can read (TrueType or OpenType outlines, not a collection's later
-// face), by fontconfig, or on Windows that of its menus; "" where there is neither or no such font.
+// The file of the system's usual font that ImGui can read (TrueType or OpenType outlines, not a collection's later face), by
+// fontconfig, or Windows' font of menus; "" for none.
 std::string system_font_file(FontFamily family = FontFamily::sans_serif);
 
 }  // namespace sphereview

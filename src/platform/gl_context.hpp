@@ -23,8 +23,8 @@ protected:
     GlContext() = default;
 };
 
-// Throws RenderError when a limit on the address space leaves too little for a GL driver and `beside`, the bytes of what is made
-// while it draws: drivers crash where they get less. To be called before any is opened.
+// Throws RenderError when a limit on the address space leaves too little for a GL driver, which would crash, and `beside`, bytes
+// that the caller needs while it draws. Call before opening a context.
 void require_address_space_for_gl(std::uint64_t beside = 0);
 
 // Where EGL can look for a GPU.
@@ -34,7 +34,7 @@ struct EglDevice {
     Kind kind = Kind::device;
     int index = 0;  // of an EGL device, as `--device` counts
     std::string name;
-    bool software = false;  // by the device's own word
+    bool software = false;  // as the device says
 };
 
 inline constexpr const char* default_display_name = "EGL default display";
@@ -43,13 +43,13 @@ inline constexpr const char* default_display_name = "EGL default display";
 // open a connection to X or Wayland, the default display. Throws RenderError when there is no usable libEGL.
 std::vector<EglDevice> list_egl_devices();
 
-// Opens a context there. Throws RenderError with the step that failed and EGL's error.
+// Opens a context on the device. Throws RenderError with the failed step and EGL's error.
 std::unique_ptr<GlContext> open_egl(const EglDevice& device);
 
 // Opens Mesa's off-screen software renderer. Throws RenderError; Mesa 25.1 and later no longer have it.
 std::unique_ptr<GlContext> open_osmesa();
 
-// Opens the context of a hidden window, by which OpenGL is reached on Windows. Throws RenderError, on every other system at once.
+// Opens the context of a hidden window, which OpenGL on Windows needs. Throws RenderError, on other systems always.
 std::unique_ptr<GlContext> open_wgl();
 
 }  // namespace sphereview

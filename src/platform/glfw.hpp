@@ -1,4 +1,4 @@
-// GLFW, opened at run time like the other libraries of displays, so that the program starts, and renders, where it is missing.
+// GLFW, opened at run time, so that the program starts, and renders, without it.
 #pragma once
 
 #define GLFW_INCLUDE_NONE
@@ -56,7 +56,7 @@ inline const Glfw& glfw() {
     return functions;
 }
 
-// On one line: what it quotes, as the display's name, may hold anything.
+// GLFW's last error on one line: it may quote anything, such as the display's name.
 inline std::string last_glfw_error() {
     const char* description = nullptr;
     glfw().GetError(&description);

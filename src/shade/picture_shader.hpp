@@ -1,4 +1,4 @@
-// Any shading of a picture, on the CPU: an export's pixels. Twin: shaders/surface.frag.
+// Shades the pixels of exports on the CPU. Twin: shaders/surface.frag.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,13 @@
 
 namespace sphereview {
 
-// An image for a scene's picture: RGBA where the background is transparent, else RGB.
+// An image for a picture: RGBA with a transparent background, else RGB.
 Image make_picture(PictureSize size, const Background& background);
 
-// Distances of hits are eighths of the scene's, so that no sum or difference of its doubles overflows.
+// Distances of hits are in eighths, so that no sum or difference of the scene's doubles overflows.
 inline constexpr double shading_scale = 0.125;
 
-// What the hits of a scene lie between, as far from where their rays begin. In perspective it depends on the eye alone: it is the
-// same in every direction that it may look.
+// The range of the hits' distances from the rays' origins. In perspective it depends on the eye alone, not on the view's direction.
 struct DepthRange {
     double nearest = 0.0;
     double farthest = 1.0;
@@ -29,21 +28,20 @@ struct DepthRange {
     bool operator==(const DepthRange&) const = default;
 };
 
-// Of all spheres that are not hidden. At least 1/256 of `farthest` wide: narrower, float could not tell what lies where.
+// The range of all shown spheres, at least 1/256 of `farthest` wide: float could not resolve a narrower one.
 DepthRange depth_range(const Scene& scene, const Camera& camera);
 
-// A part, 0..1, of a light's sky that counts as if nothing were in its way: of drafts.
+// For drafts: a part, 0..1, of a light's sky that counts as free of shadows.
 struct FreeSky {
     Light light{};
     double part = 0.0;
 };
 
-// The bytes are the same on every machine and of every compiler: double precision, only
-// + - * / and square roots, never contracted or reordered; flat colours are what the scene says, byte for byte. What a colour is
-// made of is in docs/shading.md.
+// The bytes are the same on every machine and of every compiler: double precision, only + - * / and square roots, never contracted
+// or reordered; flat colours are what the scene says, byte for byte. docs/shading.md has the formulae.
 class PictureShader {
 public:
-    // Of the scene as the camera sees it. The scene must outlive it.
+    // The scene must outlive this object.
     PictureShader(const Scene& scene, const Camera& camera, PictureSize size, Shading shading, const Background& background);
 
     // Colours one block of the picture from its visible spheres (scene numbers or visible_background), row by row. `picture` may be
@@ -52,13 +50,13 @@ public:
     void shade(const Block& block, std::span<const std::int32_t> visible, Image& picture, Pixel origin = {},
                std::span<const LightVector> light = {}, const FreeSky& free = {}) const;
 
-    // Of one pixel.
+    // The colour of one pixel.
     Color color(Pixel pixel, std::int32_t visible, const LightVector& light = {}) const;
 
 private:
     void shade_row(int x, int y, std::span<const std::int32_t> visible, std::span<const LightVector> light, const FreeSky& free,
                    std::uint8_t* out, std::size_t channels) const;
-    // The power of two that the scene's lengths are multiplied by where they are a sphere's hits'.
+    // The power of two that a sphere's lengths are multiplied by.
     int scale_for(const Sphere& sphere) const;
 
     const Scene& scene_;

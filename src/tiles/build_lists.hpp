@@ -11,7 +11,7 @@
 
 namespace sphereview {
 
-// What tiles cost a renderer. Tiles are chosen so that one picture costs least; the picture does not depend on them.
+// A renderer's costs of tiles, by which the tiles of least cost are chosen. The picture does not depend on them.
 struct TileCosts {
     int smallest_shift = 0;  // no tile's side is below 2^this pixels
     double candidate = 1.0;  // of listing one sphere in one tile
@@ -21,13 +21,12 @@ struct TileCosts {
     std::int64_t shared_budget = 1 << 22;
 };
 
-// What a sphere takes in memory while its lists are built, as a drawn sphere and in them; more when most are large.
+// Memory for a drawn sphere and its lists while these are built; more if most spheres are large.
 inline constexpr std::size_t bytes_to_draw_a_sphere = 90;
 
-// The lists of a picture, built with all cores. Their sum is bounded: a sphere that covers many tiles goes to a level of
-// larger ones. Throws RenderError when they are too long all the same: billions of spheres.
-// They are for the pixels that the grid traces, and only for those: most of many small spheres lie between the rays of a coarse
-// one. `spare`: for so many more candidates the memory is reserved.
+// The lists of a picture, built with all cores. Their sum is bounded: a sphere that covers many tiles goes to a level of larger
+// ones. Throws RenderError when they are too long all the same: billions of spheres. The lists hold for the grid's traced pixels
+// alone, because many small spheres lie between the rays of a coarse grid. `spare`: reserves memory for so many more candidates.
 CandidateLists build_lists(const DrawnSpheres& spheres, const Camera& camera, const PixelGrid& grid, const TileCosts& costs,
                            std::size_t spare = 0);
 

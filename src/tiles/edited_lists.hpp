@@ -1,4 +1,4 @@
-// The lists of a picture whose spheres are being edited.
+// The lists of tiles while spheres are edited.
 #pragma once
 
 #include <algorithm>
@@ -55,7 +55,7 @@ public:
     std::vector<Places> take_changes();
 
 private:
-    // A level and its tiles that the sphere is listed in.
+    // A level, and its tiles that list a sphere.
     struct Listing {
         TileLevel level;
         TileRange tiles;

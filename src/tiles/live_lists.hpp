@@ -1,4 +1,4 @@
-// Drawn spheres and their lists, which follow a scene's edits at a cost in proportion to what the edits touch.
+// Drawn spheres and their lists, which follow a scene's edits at a cost in proportion to the edited spheres.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ namespace sphereview {
 // is beyond float, or a tile has no room.
 class LiveLists {
 public:
-    // How many spheres may change at once, and how many gaps and late indices may gather.
+    // The most spheres that may change at once, and the most gaps and late indices.
     static constexpr std::size_t most_changes = DrawnSpheres::room_for_late;
 
     LiveLists() = default;
@@ -33,8 +33,8 @@ public:
     // Whether the scene may differ from the one that the lists were built of.
     bool edited() const { return edited_; }
 
-    // Takes over the changes, colours apart, that led to `scene` as it is now. False when building anew is the only way or the
-    // quicker one; the object is of no use from then on, and every later call returns false.
+    // Takes over the changes, apart from colours, that led to the present `scene`. False when building anew is the only or the
+    // quicker way; then the object is of no use, and every later call returns false.
     bool follow(const Scene& scene, const ChangesSince& changes);
 
     // What changed since the last call: indices of drawn spheres, ascending, and places among the candidates.

@@ -1,5 +1,5 @@
-// A picture in parts that each cost about the same, known from its lists before anything is traced. Where thousands of spheres
-// overlap everywhere, a whole picture takes a slow device half a minute: a window draws it part by part, and answers in between.
+// Divides a picture into parts of about the same cost, which the lists tell before anything is traced. Where thousands of spheres
+// overlap everywhere, a slow device takes half a minute for the picture, so a window draws it part by part and answers in between.
 #pragma once
 
 #include "exact/candidates.hpp"
@@ -8,8 +8,8 @@
 
 namespace sphereview {
 
-// Goes through the texels of a grid from the top left. What one costs is the number of candidates in its lists, of which a walk may
-// leave out some, and a little for itself.
+// Goes through the texels of a grid from the top left. A texel's cost is the number of candidates in its lists, some of which the
+// walk may skip, and a constant.
 class PictureParts {
 public:
     PictureParts() = default;
@@ -21,11 +21,11 @@ public:
         double cost = 0.0;
     };
 
-    // The next part, which costs at most so much; more only if it is one of the smallest. Not when ended().
+    // The next part, which costs at most `most_cost`, or is of the smallest size. Not when ended().
     Part take(const CandidateLists& lists, double most_cost);
 
     bool ended() const { return row_ > covered_.bottom || covered_.empty(); }
-    // What all the parts together cost; what is not taken yet.
+    // The cost of all parts, and of the parts that are not taken yet.
     double cost() const { return cost_; }
     double cost_left() const { return ended() ? 0.0 : cost_ - taken_; }
 

@@ -1,5 +1,5 @@
-// Which pixels a sphere can cover, conservatively. Only pixels' centres count, not their areas: a sphere smaller than a pixel is
-// listed only where a ray can hit it. Derivation: docs/exactness.md, "Tiles".
+// The pixels that a sphere can cover, conservatively. Only the centres of pixels count: a sphere smaller than a pixel is listed
+// only where a ray can hit it. Derivation: docs/exactness.md, "Tiles".
 #pragma once
 
 #include <algorithm>
@@ -66,7 +66,7 @@ struct PixelAxis {
     int count = 0;
 };
 
-// The planes through the rays of the pixels' centres, column by column and row by row.
+// The planes through the rays of each column and row of pixels.
 class PixelPlanes {
 public:
     // `scale`: the drawn spheres'.
@@ -75,7 +75,7 @@ public:
     // A range outside which no ray through a pixel's centre hits the sphere, a member of DrawnSpheres::center_radius.
     PixelRange range(const glm::vec4& sphere) const;
 
-    // No hit of the sphere is nearer to where its ray begins than this.
+    // A lower bound on the distance of the sphere's hits from their rays' origins.
     float nearest_distance(const glm::vec4& sphere) const {
         constexpr double tolerance = 0x1p-21;  // of |x| + |y| + |z| + r, for the rounding to float of the input and of the result
         if (sphere.w == 0.0F) return 0.0F;     // the eye on the surface: the sphere may be hit right before it
@@ -86,7 +86,7 @@ public:
         return static_cast<float>(std::max(0.0, nearest - tolerance * all));
     }
 
-    // The same range for each of the spheres, many at a time. There must be as many places in `ranges`.
+    // The range of each sphere, many at a time. `ranges` has as many places.
     void ranges(std::span<const glm::vec4> spheres, std::span<PixelRange> ranges) const;
 
 private:

@@ -1,7 +1,6 @@
-// Which sizes of tiles suit a scene. One size for all spheres explodes when some are large, so tiles have levels, each four times
-// as wide as the one before. Every level that has spheres costs each pixel a walk, so few spheres had better share one. The
-// finest size is chosen by a sample of the spheres and a model of the renderer's costs; a level without spheres costs nothing. Also
-// how a sphere stands in the list of a tile.
+// Chooses sizes of tiles for a scene. Lists of a single size explode when some spheres are large, so tiles have levels, each four
+// times as wide as the one before. Every level with spheres costs each pixel a walk, so few spheres should share one. A sample of
+// the spheres and a model of the renderer's costs choose the finest size. Also the order of the spheres in a tile's list.
 #pragma once
 
 #include <bit>
@@ -48,8 +47,8 @@ struct TilePlan {
 // The plan that costs least for `count` spheres, judged by the pixel ranges of a sample of them (at least one).
 TilePlan plan_tiles(std::span<const PixelRange> sample, std::size_t count, PictureSize size, const TileCosts& costs);
 
-// The key by which lists ascend: nearest first, equally near ones by index. Floats that are not negative are in the order of their
-// bits.
+// The key by which lists ascend: nearest first, equally near ones by index. The bits of floats that are not negative are in the
+// floats' order.
 inline std::uint64_t place_in_list(const Candidate& candidate) {
     static_assert(std::endian::native == std::endian::little && sizeof(Candidate) == sizeof(std::uint64_t));
     return std::bit_cast<std::uint64_t>(candidate);
