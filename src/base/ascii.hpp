@@ -1,4 +1,4 @@
-// Text for a font that has ASCII alone.
+// Text for a font with ASCII alone.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace sphereview {
 
-// Letters without their accents, a few signs in other words ("deg", "u" for micro), and "?" for each other character. What is not
-// printed is left out.
+// Replaces letters with accents by those without, a few signs by words ("deg", "u" for micro), and other characters by "?".
+// Characters that are not printed are left out.
 std::string in_ascii(std::string_view text);
 
 }  // namespace sphereview

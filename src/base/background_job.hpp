@@ -1,4 +1,4 @@
-// Work on a thread of its own, for a loop that must not wait for it.
+// Work on a thread of its own, beside a loop that must not wait.
 #pragma once
 
 #include <atomic>
@@ -10,37 +10,37 @@
 
 namespace sphereview {
 
-// What cancelled work throws: nobody waits for it any more.
+// Thrown by cancelled work.
 struct Cancelled {};
 
-// What the work and who waits for it tell each other; from any thread.
+// What a job and its owner tell each other; usable from any thread.
 struct WorkControl {
-    std::atomic<std::uint64_t> done = 0;   // bytes, or what the work counts in
-    std::atomic<std::uint64_t> total = 0;  // likewise; 0 when nobody knows
+    std::atomic<std::uint64_t> done = 0;   // bytes, or another unit of the work
+    std::atomic<std::uint64_t> total = 0;  // in the same unit; 0 while unknown
     std::atomic<bool> cancelled = false;
-    std::atomic<bool> writes = false;  // what is cancelled now may be written all the same
+    std::atomic<bool> writes = false;  // an output that is cancelled now may appear all the same
 
-    // Throws Cancelled when it is.
+    // Throws Cancelled if the work is cancelled.
     void check() const {
         if (cancelled) throw Cancelled();
     }
-    // To be called before the first byte of an output: either this throws Cancelled or who cancels sees `writes`.
+    // Call before the first byte of an output: either this throws Cancelled, or the one who cancels sees `writes`.
     void begin_to_write() {
         writes = true;
         check();
     }
 };
 
-// Whether work gets the processor only where others leave it, as what a window does beside its loop, or as the process itself does.
+// Whether the work gets only processor time that others leave, as beside a window's loop, or as much as the process.
 enum class WorkPriority { gives_way, usual };
 
 class BackgroundJob {
 public:
-    // Begins at once. The work owns what it touches: it may outlive this object, as a read of a pipe that nobody writes to
-    // does. Cancelled, it ends at its next check(), or in its next loop on all cores (base/parallel.hpp). When there can be no
-    // thread it has ended at once, and rethrow() throws RenderError.
+    // Begins at once. The work must own all that it touches, because it may outlive this object, as a read of a pipe without a
+    // writer does. Cancelled work ends at its next check(), or in its next loop on all cores (base/parallel.hpp). If no thread can
+    // be started the job has ended, and rethrow() throws RenderError.
     explicit BackgroundJob(std::function<void(WorkControl&)> work, WorkPriority priority = WorkPriority::gives_way);
-    // Cancels, and waits for nothing.
+    // Cancels without waiting.
     ~BackgroundJob();
     BackgroundJob(BackgroundJob&&) noexcept = default;
     BackgroundJob& operator=(BackgroundJob&&) = delete;
@@ -49,12 +49,12 @@ public:
 
     const WorkControl& control() const { return *control_; }
     void cancel() { control_->cancelled = true; }
-    // Whether it ended, by itself or by an exception.
+    // Whether the work has ended, also by an exception.
     bool ended() const { return wait_for(std::chrono::milliseconds(0)); }
     void wait() const { end_.wait(); }
-    // Returns ended() after that time at most.
+    // Returns ended() after at most `time`.
     bool wait_for(std::chrono::milliseconds time) const { return end_.wait_for(time) == std::future_status::ready; }
-    // Throws what the work threw; once it has ended.
+    // Throws what the work threw. Only after its end.
     void rethrow() const { end_.get(); }
 
 private:

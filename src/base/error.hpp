@@ -1,4 +1,4 @@
-// The errors a person can cause or meet. Each type has one exit status (app/failure.hpp); a programmer's mistake asserts.
+// The errors that a person can cause or meet, each with an exit status (app/failure.hpp). A programmer's mistake asserts.
 #pragma once
 
 #include <stdexcept>
@@ -12,14 +12,14 @@ struct InputError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// Which file cannot be read or written, and why: in words that follow its name, and as errno has it.
+// A file that cannot be read or written, and why: in words that follow its name, and as an errno.
 struct FileFault {
     std::string file;
     std::string why;
     int number;
 };
 
-// An input file cannot be read at all, which the file's content has no part in.
+// An input file cannot be read at all, whatever its content.
 struct ReadError : InputError {
     ReadError(const std::string& file, const std::string& why, int number)
         : InputError(file + ": cannot be read: " + why), fault{file, "cannot be read: " + why, number} {}
@@ -27,7 +27,7 @@ struct ReadError : InputError {
     FileFault fault;
 };
 
-// What is wrong with something that renders, as far as a person can do something about that.
+// Why a renderer does not work, as far as a person can do something about it.
 enum class RenderFault { other, no_library, no_driver, old_opengl, little_memory, no_answer, crash, exit };
 
 // Nothing here can render what was asked, and why.

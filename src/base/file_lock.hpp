@@ -1,15 +1,16 @@
-// Telling whether what another process left behind is still its own.
+// Tells whether the owner of a file still runs.
 #pragma once
 
 #include <filesystem>
 
 namespace sphereview {
 
-// A file that this process holds until the lock's or its own end, however that comes. Other programs may still read and write it.
+// A lock on a file, held until this object or the process ends, however that comes. Other programs may still read and write the
+// file.
 class FileLock {
 public:
     FileLock() = default;
-    // Makes the file, for this user alone, where it is missing. Holds nothing where that fails or another has it.
+    // Makes the file, for this user alone, if it is missing. Holds nothing if that fails or another process has the lock.
     explicit FileLock(const std::filesystem::path& file);
     ~FileLock();
     FileLock(FileLock&& other) noexcept;
@@ -17,9 +18,8 @@ public:
 
     bool holds() const { return handle_ != none; }
 
-    // Whether a process holds the file, this one included. Nobody holds a file that is missing, or whose lock can be had. Nothing
-    // can be told of a file that cannot be opened or that is no regular file, which is not waited for, and where the file system
-    // cannot lock.
+    // Who holds the file: a process, this one included, or nobody, also if the file is missing. Unknown if the file cannot be
+    // opened or is not regular, or if the file system cannot lock. Never waits.
     enum class Holder { nobody, process, unknown };
     static Holder holder_of(const std::filesystem::path& file);
 

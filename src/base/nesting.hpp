@@ -1,6 +1,5 @@
-// What can be told of a text in TOML or JSON without parsing it. How deep it nests: foreign parsers and the trees that they make
-// recurse, so what they get is bounded. Which keys it has that nobody knows, before a tree is made of them. And whether it has
-// comments, which those trees do not hold.
+// Examines a text in TOML or JSON without parsing it: its nesting, which is bounded because the parsers and their trees recurse;
+// unknown keys, before a tree is made of them; and comments, which the trees do not hold.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +12,13 @@ namespace sphereview {
 
 inline constexpr int most_nested = 32;  // levels of brackets, and parts of a dotted key or of a table's head
 
-// Where `text` first goes deeper than most_nested levels, and in what.
+// The place where a text first goes deeper than most_nested levels.
 struct TooDeep {
     std::size_t offset = 0;  // of the bracket or the dot that is one too many
-    bool in_key = false;     // else in brackets
+    bool in_key = false;     // in a key; else in brackets
 };
 
-// Strings and comments count for nothing. What is no TOML may be judged wrongly behind its first fault, which parsers end at.
+// Ignores strings and comments. May be wrong behind the first fault of a text, where parsers stop anyway.
 std::optional<TooDeep> find_too_deep(std::string_view text);
 
 struct KeyInText {
@@ -27,11 +26,11 @@ struct KeyInText {
     std::string_view key{};  // without quotes
 };
 
-// The first key of TOML's top level, which the head of a table may name too, that `known` lacks. Nothing where there is none, or
-// something before it is no TOML. A key with an escape in it is passed over.
+// The first key of TOML's top level, also in the head of a table, that is not in `known`. Nothing if there is none, or behind a
+// fault. Keys with escapes are passed over.
 std::optional<KeyInText> find_unknown_key(std::string_view text, std::span<const std::string> known);
 
-// Whether a comment of TOML stands in the text, outside its strings.
+// Whether the text has a comment of TOML outside strings.
 bool has_comment(std::string_view text);
 
 }  // namespace sphereview

@@ -1,5 +1,5 @@
-// Decimal text to double and back, bit for bit, whatever the locale. Nothing else calls std::from_chars and std::to_chars for
-// floating point, which some C++ libraries lack.
+// Decimal text to double and back, bit for bit, in any locale. No other code calls std::from_chars and std::to_chars for floating
+// point, which some C++ libraries lack.
 #pragma once
 
 #include <charconv>
@@ -10,28 +10,28 @@ namespace sphereview {
 
 enum class NumberFault { none, not_a_number, not_finite, too_large };
 
-// Reads the number that [begin, end) begins with, as std::from_chars does. Inline: scenes are made of these.
+// Reads the number at the beginning of [begin, end), as std::from_chars. Inline for speed.
 inline std::from_chars_result read_double(const char* begin, const char* end, double& value) {
     return std::from_chars(begin, end, value);
 }
 
-// Reads the whole of `token` as the nearest double; what is too small for a double gives the nearest one, 0 included.
-// A leading '+' is allowed. On a fault `value` is left alone; too_large means beyond the largest double.
+// Reads the whole `token` as the nearest double, which may be 0 for tiny numbers. A leading '+' is allowed. Leaves `value` alone on
+// a fault; too_large means beyond the largest double.
 NumberFault parse_double(std::string_view token, double& value);
 
-// The same, also with the exponents of other programs: 1.0D+00 and 1.0d0 (Fortran), 1.0*^-6 (Mathematica), 1.0+01 and 0.25-102
-// (Fortran where the exponent's letter is left out).
+// The same, also with other programs' exponents: 1.0D+00 and 1.0d0 (Fortran), 1.0*^-6 (Mathematica), 1.0+01 and 0.25-102 (Fortran
+// without the letter).
 NumberFault parse_any_double(std::string_view token, double& value);
 
-// Reads the whole of `token` as a whole number, without a mark of its base; false, with `value` undefined, when `token` is none or
-// `value` cannot hold it.
+// Reads the whole `token` as a whole number, without a mark of its base. False, with `value` undefined, if that fails or does not
+// fit.
 template <typename Whole>
 bool parse_whole(std::string_view token, Whole& value, int base = 10) {
     const auto read = std::from_chars(token.data(), token.data() + token.size(), value, base);
     return read.ec == std::errc{} && read.ptr == token.data() + token.size();
 }
 
-// What messages say that a number should be: "a finite number".
+// The expected number for a message: "a finite number".
 const char* expected_instead_of(NumberFault fault);
 
 // The shortest decimal text that reads back as the same number; "inf" and "nan" where there is none.
@@ -41,8 +41,8 @@ std::string shortest(float value);
 // `value` with that many digits, as printf writes it in the "C" locale. digits: 0..50.
 std::string decimal(double value, std::chars_format format, int digits);
 
-// The greatest number that is 1, 2 or 5 times a power of ten, as the nearest double, and at most `most`; 0 where there is none,
-// as for what is not above 0, or not finite.
+// The greatest number of at most `most` that is 1, 2 or 5 times a power of ten, as the nearest double; 0 if `most` is not above 0,
+// or not finite.
 double round_number_below(double most);
 
 // `value` with decimal places. places: 0..9.

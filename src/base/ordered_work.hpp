@@ -1,4 +1,4 @@
-// Many things of one kind that are made several at once, and begun and delivered one after the other.
+// Makes many things several at once, but begins and delivers them in order.
 #pragma once
 
 #include <condition_variable>
@@ -10,28 +10,28 @@
 
 namespace sphereview {
 
-// The steps of one thing, by its place from 0. What one of them throws ends the work.
+// The steps of one thing, by its place from 0. An exception of a step ends the work.
 struct OrderedWork {
     std::size_t count = 0;
-    std::function<void(std::size_t)> begin;    // in order, one at a time: reading from a file
-    std::function<void(std::size_t)> make;     // behind its `begin`; several at once
-    std::function<bool(std::size_t)> deliver;  // behind its `make`; in order, one at a time. False ends the work
-    std::function<void(std::size_t)> wait;     // now and then while the next to be delivered is not made, where deliver() is called
-    std::function<std::size_t()> most_at_once;  // how many may be begun and not delivered, at least 1; asked before each `begin`
+    std::function<void(std::size_t)> begin;     // in order, one at a time: reading from a file
+    std::function<void(std::size_t)> make;      // after its `begin`; several at once
+    std::function<bool(std::size_t)> deliver;   // after its `make`; in order, one at a time. False ends the work
+    std::function<void(std::size_t)> wait;      // now and then, on deliver()'s thread, until the next is made
+    std::function<std::size_t()> most_at_once;  // how many may be in progress, at least 1; asked before each `begin`
 };
 
-// Things that only one thread may do, as drawing in a context of GL, asked for by others.
+// Lets other threads ask one thread to act, such as to draw in its GL context.
 class Errands {
 public:
-    // Returns when the serving thread has called `errand`, and throws what that throws. Throws Cancelled when that thread serves no
-    // more.
+    // Waits until the serving thread has called `errand`, and throws what that threw. Throws Cancelled if that thread has stopped
+    // serving.
     void ask(const std::function<void()>& errand);
-    // Calls what is asked for, until close().
+    // Calls the errands, until close().
     void serve();
     void close();
 
 private:
-    // Belongs to who asks, and waits for its end.
+    // On the stack of the asking thread.
     struct Errand {
         const std::function<void()>& act;
         std::exception_ptr error{};
@@ -44,9 +44,9 @@ private:
     bool closed_ = false;
 };
 
-// Does the work with `threads` that make, and one that delivers; meanwhile the calling one does their errands. The loops of threads
-// that make end when the work does (base/parallel.hpp). False, and nothing is done, where the system allows no such threads. Throws
-// what a step has thrown.
+// Does the work with `threads` threads that make and one that delivers; the calling thread serves the errands. When the work ends,
+// loops in `make` end too (base/parallel.hpp). False, and nothing is done, if the threads cannot be started. Throws what a step
+// threw.
 bool do_in_order(const OrderedWork& work, int threads, Errands& errands);
 
 }  // namespace sphereview

@@ -1,4 +1,4 @@
-// Whole-or-nothing output: a file that appears under its name is complete.
+// Whole-or-nothing output: a file that appears is complete.
 #pragma once
 
 #include <cstdio>
@@ -8,33 +8,32 @@
 
 namespace sphereview {
 
-// Whether a file counts as written once the disk has it and its name, which takes some milliseconds, or already when the system
-// has them: then a power cut may lose the file, or leave it empty.
+// When a file counts as written: once the disk has it and its name, which takes some milliseconds, or once the system has them, so
+// that a power cut may lose the file or leave it empty.
 enum class Durability { on_disk, in_system };
 
-// What happens where the folder of an output is not there.
+// What happens if an output's folder is missing.
 enum class MissingFolder { refused, made };
 
-// Puts `bytes` into `path`, or onto standard output for "-", which is waited for where it is non-blocking. A regular file is
-// written beside under a hidden name and renamed, keeping the mode of the file it replaces and following symbolic links; devices
-// and FIFOs are written directly. Of a file with several names (hard links) only this one gets the bytes: the others keep the old
-// ones. Throws OutputError.
+// Writes `bytes` to `path`, or to standard output for "-", also if that is non-blocking. A regular file is written under a hidden
+// name beside and renamed; it keeps the mode of the file that it replaces, and symbolic links are followed. Devices and FIFOs are
+// written directly. Other hard links of a file keep the old bytes. Throws OutputError.
 void write_output(const std::string& path, std::string_view bytes, Durability durability = Durability::on_disk,
                   MissingFolder missing = MissingFolder::refused);
 
-// The same for what must become a regular file, such as the program's own: throws OutputError where anything else stands. A device
-// would swallow the bytes, and a FIFO that nobody reads would be waited for.
+// The same for files that must be regular, such as the program's own: throws OutputError if something else is there. A device would
+// swallow the bytes, and a FIFO without a reader would block.
 void write_regular_file(const std::string& path, std::string_view bytes, Durability durability = Durability::on_disk);
 
-// Appends to a file that nothing else is written to, and waits for it by `durability`; false, with errno set, if that fails. In a
-// pipe, or where there is no such thing, nothing is waited for.
+// Appends to a file that nobody else writes, and syncs by `durability`, which does nothing for a pipe. False, with errno set, on
+// failure.
 bool append(std::FILE* file, std::string_view bytes, Durability durability);
 
-// Where another program writes an output, which appears whole or not at all as well.
+// The place of an output that another program writes, and that appears whole or not at all as well.
 class OutputPlace {
 public:
-    // Makes an empty file under a hidden name beside `path`. Throws OutputError, also where something other than a regular file
-    // stands there.
+    // Makes an empty file under a hidden name beside `path`. Throws OutputError, also if `path` is something other than a regular
+    // file.
     explicit OutputPlace(const std::string& path);
     // Removes the file, unless it was taken.
     ~OutputPlace();
@@ -43,7 +42,7 @@ public:
 
     // The file to write into.
     std::string temporary() const;
-    // Gives it the name of the output. Once, and nobody writes into it any more. Throws OutputError.
+    // Renames the file to `path`. Call once, when nobody writes any more. Throws OutputError.
     void take(Durability durability);
 
 private:
@@ -53,18 +52,18 @@ private:
     bool taken_ = false;
 };
 
-// Throws OutputError when `path` plainly cannot become an output: a folder, below no folder, or not to be written to.
-// For saying so before long work, and makes nothing; write_output checks again.
+// Throws OutputError if `path` plainly cannot be an output: it is a folder, has no folder, or cannot be written to. For early
+// messages before long work; makes nothing, and write_output checks again.
 void check_output(const std::string& path, MissingFolder missing = MissingFolder::refused);
 
-// Whether the system takes the name for a device in any folder, as Windows does NUL.
+// Whether the name means a device in any folder, as NUL does on Windows.
 bool is_device_name(const std::filesystem::path& path);
 
 enum class FileUse { input, output };
 
-// What tells whether two paths lead to one file: the absolute path with links followed, existing or yet to be made. Empty
-// for devices, FIFOs and "-": nothing in them is lost when two things use them. Hard links differ: a rename parts them. Throws
-// OutputError when the system does not say what the current folder is, or where the links of an output lead.
+// Equal for two paths to one file: the absolute path with links followed, of a file that exists or not. Empty for devices, FIFOs
+// and "-", which two users can share. Differs for hard links, which a rename separates. Throws OutputError when the system does not
+// tell the current folder, or where the links of an output lead.
 std::string file_identity(const std::string& path, FileUse use);
 
 }  // namespace sphereview

@@ -1,4 +1,4 @@
-// Work shared by all cores.
+// Shares work among all cores.
 #pragma once
 
 #include <atomic>
@@ -6,23 +6,22 @@
 
 namespace sphereview {
 
-// How many threads share the work: one for each core that this process may use.
+// The number of threads: one for each core that this process may use.
 int worker_count();
 
-// From now on this thread, and the loops that it begins, get the processor only where others leave it: a window that is used
-// meanwhile stays as quick as without them. There is no way back, which systems reserve for privileged processes. Nothing where the
-// system has no such thing.
+// From now on this thread, and the loops that it begins, get only processor time that others leave, so that a window stays quick.
+// This cannot be undone, which systems reserve for privileged processes. Does nothing where the system lacks it.
 void give_way();
 
-// Whether the loops that this thread begins from now on run on it alone: where each core has a thread with work of its own, to
-// share it would only make them wait for each other.
+// Whether the loops that this thread begins from now on run on it alone: if each core has a thread with work of its own, sharing
+// would only make them wait.
 void keep_loops_on_this_thread(bool alone);
 
 // From now on the loops that this thread begins end soon after `flag` is set, and throw Cancelled (base/background_job.hpp).
-// nullptr: they always end by themselves.
+// nullptr: they run to their end.
 void cancel_loops_by(const std::atomic<bool>* flag);
 
-// Throws Cancelled when the loop is to end in which this is called, or that this thread would begin: for work(i) that may take
+// Throws Cancelled if the loop in which this is called, or that this thread would begin, is to end. For a work(i) that may take
 // long.
 void check_cancelled();
 
@@ -33,9 +32,8 @@ void share_work(std::size_t count, void (*call)(const void* work, std::size_t i)
 
 }  // namespace detail
 
-// Calls work(i) once for each i below `count`, on all cores and in any order, and returns when all calls have. The first
-// exception stops what has not begun and is thrown here. Threads that are here at the same time share the cores. Inside work() it
-// runs alone.
+// Calls work(i) once for each i below `count`, on all cores and in any order, and waits for all. The first exception stops calls
+// that have not begun, and is thrown here. Concurrent loops share the cores. Inside work() a loop runs on its thread alone.
 template <typename Work>
 void parallel_for(std::size_t count, const Work& work) {
     detail::share_work(

@@ -1,5 +1,5 @@
-// The one place that turns text into a path and back. All text in this program is UTF-8; a path made of narrow text without these
-// functions, also an implied one, would be in the system's own encoding.
+// Turns text into a path and back. All text in this program is UTF-8, so no other code may do this: a path made of narrow text,
+// also implicitly, would be in the system's encoding.
 #pragma once
 
 #include <filesystem>
@@ -8,15 +8,15 @@
 
 namespace sphereview {
 
-// Names of files on Windows are 16-bit units that are usually, but not always, UTF-16. A half of a surrogate pair that stands alone
-// becomes the three bytes that UTF-8 would have for it (WTF-8), and so comes back unchanged.
+// Names of files on Windows are 16-bit units, usually UTF-16. A lone half of a surrogate pair becomes the three bytes that UTF-8
+// would have for it (WTF-8), and so comes back unchanged.
 std::string utf8_from(std::u16string_view units);
-// The way back; each byte that belongs to no character becomes U+FFFD.
+// The inverse; bytes that belong to no character become U+FFFD.
 std::u16string utf16_from(std::string_view text);
 
 #ifdef _WIN32
 
-// Not by the standard library, which throws for what is not well-formed.
+// The standard library would throw for text that is not well-formed.
 inline std::filesystem::path path_from(std::string_view text) {
     const std::u16string units = utf16_from(text);
     return std::filesystem::path(std::wstring(units.begin(), units.end()));
@@ -39,10 +39,10 @@ inline std::string text_from(const std::filesystem::path& path) {
 
 #endif
 
-// Whether it is a name of the network as only Windows has them, \\server\share..., which MinGW's library takes for a relative one.
+// Whether the path is Windows' name of the network, \\server\share..., which MinGW's library takes for a relative path.
 bool is_network_name(const std::filesystem::path& path);
 
-// As lexically_normal(), and a name of the network stays one.
+// As lexically_normal(), but keeps a name of the network.
 std::filesystem::path normal_path(const std::filesystem::path& path);
 
 }  // namespace sphereview

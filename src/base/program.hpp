@@ -1,4 +1,4 @@
-// Other programs, started by this one.
+// Starts other programs.
 #pragma once
 
 #include <chrono>
@@ -10,49 +10,49 @@
 
 namespace sphereview {
 
-// The file of the program of that name in the folders of PATH, as a shell would find it; "" where there is none.
+// The program's file in the folders of PATH, as a shell would find it; "" for none.
 std::string find_program(const std::string& name);
 
-// How a program ended that was waited for.
+// How a program ended.
 struct ProgramResult {
     enum class End { returned, timed_out, crashed, exited };
 
-    End end = End::returned;  // exited: with another status than 0, or it wrote nothing
+    End end = End::returned;  // exited: with a status other than 0, or without output
     unsigned code = 0;        // the signal's number (on Windows the exception's) or the exit status
-    std::string output{};     // what it wrote to standard output
-    std::string errors{};     // and to standard error
+    std::string output{};     // its standard output
+    std::string errors{};     // its standard error
 };
 
-// A program that takes what is written to it.
+// A program that reads from a pipe.
 class PipedProgram {
 public:
-    // Starts the program at `path`. Its standard output is thrown away. Throws OutputError that it cannot be started.
+    // Starts the program at `path` and discards its standard output. Throws OutputError if it cannot be started.
     PipedProgram(const std::string& path, const std::vector<std::string>& arguments);
     // Kills it, unless it has ended.
     ~PipedProgram();
     PipedProgram(const PipedProgram&) = delete;
     PipedProgram& operator=(const PipedProgram&) = delete;
 
-    // False when it takes no more, for it has ended.
+    // False if the program has ended.
     bool write(std::string_view bytes);
-    // Ends its input and waits for its end; whether it says that it has done its work. A second call returns the same.
+    // Closes the input and waits for the program's end. Returns whether its status is 0. A second call returns the same.
     bool finish();
-    // How it ended, after finish(); without what it wrote.
+    // After finish(): how the program ended, without its output.
     const ProgramResult& result() const { return result_; }
     // From any thread.
     void kill();
-    // What it wrote to standard error, after finish(): the beginning.
+    // After finish(): the beginning of its standard error.
     const std::string& errors() const { return errors_; }
 
 private:
     std::unique_ptr<class ProgramProcess> process_;
     std::string errors_{};
     ProgramResult result_{};
-    std::thread reader_{};  // of its errors; last: it uses what is above
+    std::thread reader_{};  // of its errors; declared last: it uses the members above
 };
 
-// Runs the program at `path` and waits for it; kills it after `limit`. Its standard input is empty, and ends when this process
-// does, however that ends: end_with_input() then ends the program, too. Throws OutputError that it cannot be started.
+// Runs the program at `path` and waits for it; kills it after `limit`. Its standard input is empty and is closed when this process
+// ends in any way, so that end_with_input() ends the program, too. Throws OutputError if it cannot be started.
 ProgramResult run_program(const std::string& path, const std::vector<std::string>& arguments, std::chrono::milliseconds limit);
 
 // From now on this process ends when its standard input does.

@@ -1,4 +1,4 @@
-// A progress bar for people who wait.
+// A progress bar.
 #pragma once
 
 #include <chrono>
@@ -7,24 +7,22 @@
 
 namespace sphereview {
 
-// A bar on standard error, shown when that is a terminal and the work has taken longer than half a second; silent otherwise.
-// One at a time, used from one thread. Destruction clears it.
+// A bar on standard error, shown if that is a terminal and the work takes longer than half a second. One at a time, used from one
+// thread. Destruction clears it.
 class Progress {
 public:
     Progress();
-    // Shows nothing, and tells `watcher` each fraction instead, also from another thread than that of the terminal. What it throws
-    // comes out of update().
+    // Shows nothing, and calls `watcher` with each fraction instead, in any thread. update() throws what it throws.
     explicit Progress(std::function<void(double fraction)> watcher);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    // What is being done, e.g. "scene.txt (2 of 5)". Starts the fraction anew. When all of it is `amount` units, e.g. 70 "MB",
-    // the rate is shown too.
+    // Begins a bar for `what`, such as "scene.txt (2 of 5)". If all is `amount` units, such as 70 "MB", the rate is shown too.
     void start(std::string what, double amount = 0.0, std::string unit = "");
-    // How much of it is done, 0..1; `note` is shown with it. Cheap: draws at most ten times a second.
+    // Shows the finished fraction, 0..1, and `note`. Cheap: draws at most ten times a second.
     void update(double fraction, const std::string& note = "");
-    // Removes the bar, so that something else can be printed; update() draws it again.
+    // Removes the bar for other output; update() draws it again.
     void clear();
 
 private:

@@ -7,10 +7,10 @@
 
 namespace sphereview {
 
-// In 64 hexadecimal digits, lower case. Throws RenderError where the system's library fails.
+// The sum as 64 hexadecimal digits in lower case. Throws RenderError if the library fails.
 std::string sha256(std::string_view bytes);
 
-// Of all pieces, one behind the other; next() gives an empty one at the end.
+// The sum of all pieces together; next() gives an empty one at the end.
 std::string sha256(const std::function<std::string_view()>& next);
 
 }  // namespace sphereview

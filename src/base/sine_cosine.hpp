@@ -1,10 +1,10 @@
-// The sine and cosine whose every bit counts.
+// Sine and cosine with the same bits everywhere.
 #pragma once
 
 namespace sphereview {
 
-// Of a finite angle in degrees, each within 2^-51 of its size or 2^-52, and exact at multiples of 90. The same doubles on every
-// machine, for they are made by + - * / in a fixed order.
+// Of a finite angle in degrees; within 2^-51 of their size or 2^-52, and exact at multiples of 90. The same doubles on every
+// machine, because they are made by + - * / in a fixed order.
 struct SineCosine {
     double sine = 0.0;
     double cosine = 1.0;

@@ -1,13 +1,13 @@
-// The one square root whose every bit counts.
+// The square root with the same bits everywhere.
 #pragma once
 
 #include <cmath>
 
 namespace sphereview {
 
-// Correctly rounded, as IEEE 754 asks, wherever and however it is compiled. The library function of mingw-w64 rounds twice; with
-// -fno-math-errno (cmake/options.cmake) the compiler's own is the processor's instruction at every level of optimisation, and loops
-// with it still become SIMD. `x` >= 0.
+// Correctly rounded, as IEEE 754 asks, on every system and with any flags. The library function of mingw-w64 rounds twice; with
+// -fno-math-errno (cmake/options.cmake) the compiler's builtin is the processor's instruction, and loops with it become SIMD. `x`
+// >= 0.
 inline double square_root(double x) {
 #ifdef __GNUC__
     return __builtin_sqrt(x);

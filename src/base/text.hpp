@@ -19,33 +19,32 @@ struct TextPosition {
     std::size_t column = 1;
 };
 
-// The place of byte `offset` in `text`, whose first character stands at `origin`. Lines end with LF, CR or CR LF.
+// The place of byte `offset` in `text`, which begins at `origin`. Lines end with LF, CR or CR LF.
 TextPosition position_at(std::string_view text, std::size_t offset, TextPosition origin = {});
 
-// "NAME:LINE:COLUMN: ", which a message about a file begins with.
+// "NAME:LINE:COLUMN: ", the beginning of a message about a file.
 std::string place_in(std::string_view name, TextPosition position);
 
-// "found 'FOUND', expected EXPECTED", which it ends with.
+// "found 'FOUND', expected EXPECTED", its end.
 std::string found_expected(std::string_view found, std::string_view expected);
 
 // `found` in single quotes, made safe for one terminal line: control and non-ASCII bytes as \xNN, at most 40 characters.
 std::string in_quotes(std::string_view found);
 
-// The character of UTF-8 that `text`, which is not empty, begins with; of length 0 where it begins with none (RFC 3629).
+// The first UTF-8 character of `text`, which must not be empty; of length 0 if there is none (RFC 3629).
 struct Utf8Character {
     std::size_t length = 0;  // in bytes
     char32_t code = 0;
 };
 Utf8Character first_character(std::string_view text);
 
-// Text from outside, made safe to print and to show: control characters, line separators, marks that reorder text and bytes that
-// are no UTF-8 become \xNN for each byte. Of a longer text the first `most` characters stay, with "..." behind them.
+// Text from outside, made safe to show: each byte of control characters, line separators, marks that reorder text, and of bytes
+// that are not UTF-8 becomes \xNN. Longer texts are cut to `most` characters and "...".
 std::string on_one_line(std::string_view text, std::size_t most = std::string_view::npos);
 // The same, but line feeds stay.
 std::string on_lines(std::string_view text, std::size_t most = std::string_view::npos);
 
-// "; did you mean 'CANDIDATE'?" for the candidate most like `word`, ignoring case; "" when none is near enough to be what was
-// meant.
+// "; did you mean 'CANDIDATE'?" for the candidate most like `word`, ignoring case; "" if none is near enough.
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
 
 // "a; b; c", when `between` is "; ".
@@ -54,10 +53,10 @@ std::string joined(std::span<const std::string> words, std::string_view between)
 // "a, b or c", when `last` is "or".
 std::string listed(std::span<const std::string> words, std::string_view last);
 
-// The first `most` of the words, and then "12 more" where there are that many more.
+// The first `most` words, and then "12 more" if there are more.
 std::vector<std::string> first_of(std::vector<std::string> words, std::size_t most);
 
-// Of such a list with "or" the parts that a person would type as they stand: "auto, egl or #rrggbb" -> auto, egl.
+// The parts of a list with "or" that a person would type as they are: "auto, egl or #rrggbb" -> auto, egl.
 std::vector<std::string> words_listed(std::string_view list);
 
 // 1234567 as "1,234,567".
@@ -66,33 +65,33 @@ std::string in_groups(std::uint64_t value);
 // "1 sphere", "1,234 spheres", when `what` is "sphere".
 std::string counted(std::uint64_t count, std::string_view what);
 
-// The first line of `text`, which loses that line and its end (LF, CR or CR LF).
+// Removes the first line and its end (LF, CR or CR LF) from `text`, and returns the line.
 std::string_view take_line(std::string_view& text);
 
 // `text` without white space at both ends.
 std::string_view trimmed(std::string_view text, std::string_view white = " \t\r\n");
 
-// `text` without the UTF-8 byte-order mark that some editors put first, and that is no character of a line.
+// `text` without a UTF-8 byte-order mark, which some editors write first.
 std::string_view without_byte_order_mark(std::string_view text);
 
-// Whether `bytes` begin with the byte-order mark of UTF-16, of either order, or without one like a text of Latin letters in it.
+// Whether `bytes` begin with a byte-order mark of UTF-16, of either order, or like Latin letters in UTF-16.
 bool is_utf16(std::string_view bytes);
 
-// `text` without the zero bytes and Ctrl-Z that some programs put behind its end; UTF-16 stays as it is.
+// `text` without the zero bytes and Ctrl-Z that some programs write at the end; UTF-16 stays unchanged.
 std::string_view without_end_marks(std::string_view text);
 
-// The text in such bytes, without a mark, as UTF-8; U+FFFD for what is half a character.
+// UTF-16 `bytes` as UTF-8, without a mark; U+FFFD for half a character.
 std::string utf8_of_utf16(std::string_view bytes);
 
-// `text` with a letter and the accent that follows it as one character where Unicode has one, for letters of Latin-1 and Latin
-// Extended-A: "e" and U+0301 as "é". Some systems keep the names of files in parts.
+// `text` with each letter and following accent as one character, for letters of Latin-1 and Latin Extended-A: "e" and U+0301 as
+// "é". Some systems store names of files in parts.
 std::string composed(std::string_view text);
 
 // `text` in lower case; ASCII letters only.
 std::string lower_case(std::string_view text);
 
-// For how many i of [begin, end) `is(i)` holds. Where `is` looks at bytes alone and does not branch, compilers make SIMD of it:
-// the sums of up to 255 places fit in a byte.
+// The number of i in [begin, end) for which is(i) holds. If `is` reads bytes and does not branch, this becomes SIMD: sums of up to
+// 255 fit in a byte.
 template <typename Is>
 std::size_t count_places(std::size_t begin, std::size_t end, const Is& is) {
     constexpr std::size_t stride = 255;

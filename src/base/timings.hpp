@@ -1,4 +1,4 @@
-// Where the time of one picture went.
+// The times of one picture's phases.
 #pragma once
 
 #include <array>
@@ -8,8 +8,7 @@
 
 namespace sphereview {
 
-// lists: which spheres each tile of the picture can show. resolve: deciding what float could not, and colouring.
-// light: where lights shine, in the shading that asks.
+// lists: the spheres that each tile can show. resolve: deciding what float could not, and colouring. light: where lights shine.
 enum class Phase { read, context, shaders, lists, prepare, trace, read_back, resolve, light, encode, write };
 
 inline constexpr std::array<std::string_view, 11> phase_names = {"read",      "context", "shaders", "lists",  "prepare", "trace",
@@ -41,7 +40,7 @@ private:
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-// What work() returns; the time that work() takes is added to the phase.
+// Returns work(), whose time is added to the phase.
 template <typename Work>
 auto timed(Timings& timings, Phase phase, const Work& work) {
     const PhaseTimer timer(timings, phase);

@@ -1,4 +1,4 @@
-// Memory for results that are all about to be written, by several threads.
+// Memory for results that several threads are about to write.
 #pragma once
 
 #include <memory>
@@ -8,8 +8,8 @@
 
 namespace sphereview {
 
-// As std::allocator, but leaves elements that are given no value as they are. Else one thread would write zeros and wait for the
-// system to provide the memory, while the other threads have nothing to do.
+// As std::allocator, but leaves elements without a value uninitialized. Else one thread would write zeros and wait for the system's
+// memory while the others idle.
 template <typename T>
 struct UninitializedAllocator : std::allocator<T> {
     static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
