@@ -1,7 +1,6 @@
-// Numbers of 106 bits with a bound beside each: the unevaluated sum of two doubles ("double-double") and how far the exact value
-// may be from it. Of the theorems that this needs, those for + and * are in Joldes, Muller and Popescu, "Tight and rigorous error
-// bounds for basic building blocks of double-word arithmetic", 2017; quotients and roots are checked by multiplying back.
-// docs/exactness.md.
+// Numbers of 106 bits, each the unevaluated sum of two doubles ("double-double") with a bound on its distance from the exact value.
+// The theorems for + and * are in Joldes, Muller and Popescu, "Tight and rigorous error bounds for basic building blocks of
+// double-word arithmetic", 2017; quotients and roots are checked by multiplying back. docs/exactness.md.
 #pragma once
 
 #include <algorithm>
@@ -64,17 +63,17 @@ inline TwoDoubles two_product(double a, double b) {
     return {product, ((x.high * y.high - product) + x.high * y.low + x.low * y.high) + x.low * y.low};
 }
 
-// The exact value is within `error` of high + low, where |low| is at most half a unit in the last place of `high`. An error that is
-// infinite or not a number means that nothing is known. Sizes up to 2^960 neither over- nor underflow in a way that `error` misses.
+// The exact value is within `error` of high + low, where |low| is at most half a unit in the last place of `high`. An infinite or
+// NaN error: nothing is known. Up to sizes of 2^960 `error` covers every overflow and underflow.
 struct Approximate {
     double high = 0.0;
     double low = 0.0;
     double error = 0.0;
 
     static constexpr double unit = 0x1p-103;         // + and * err by less, relative to their results
-    static constexpr double margin = 1.0 + 0x1p-48;  // for what the few operations of an error's own sum round
-    static constexpr double least_exact = 0x1p-900;  // a smaller product may underflow: it keeps no low part,
-    static constexpr double underflow = 0x1p-950;    // which is less than this
+    static constexpr double margin = 1.0 + 0x1p-48;  // for the roundings of an error's own sum
+    static constexpr double least_exact = 0x1p-900;  // smaller products may underflow: they keep no low part
+    static constexpr double underflow = 0x1p-950;    // bound on such a low part
 
     constexpr Approximate() = default;
     constexpr Approximate(double value) : high(value) {}
@@ -83,7 +82,7 @@ struct Approximate {
     bool is_zero() const { return high == 0.0 && error == 0.0; }
     bool is_a_double() const { return low == 0.0; }
 
-    // At least the size of the exact value.
+    // An upper bound on the size of the exact value.
     double most() const { return (std::fabs(high) + error) * margin; }
 
     // The sign of the exact value, if that is certain.
@@ -121,7 +120,7 @@ inline Approximate operator*(const Approximate& a, const Approximate& b) {
     return {result, (error + Approximate::unit * size) * Approximate::margin};
 }
 
-// q + correction, and what is left of a - q b decides the error.
+// A quotient and its correction; the rest a - q b gives the error.
 inline Approximate operator/(const Approximate& a, const Approximate& b) {
     const double first = a.high / b.high;
     const double second = (a - Approximate(first) * b).high / b.high;
@@ -132,8 +131,7 @@ inline Approximate operator/(const Approximate& a, const Approximate& b) {
     return quotient;
 }
 
-// Of an exact value that is at least 0. |sqrt(a) - s| = |a - s^2| / (sqrt(a) + s), which is at most |a - s^2| / s and sqrt(|a -
-// s^2|).
+// For exact values of at least 0. |sqrt(a) - s| = |a - s^2| / (sqrt(a) + s), which is at most |a - s^2| / s and sqrt(|a - s^2|).
 inline Approximate sqrt(const Approximate& a) {
     const double first = a.high > 0.0 ? square_root(a.high) : 0.0;
     const double second = first > 0.0 ? (a - Approximate(first) * Approximate(first)).high / (2.0 * first) : 0.0;

@@ -1,5 +1,5 @@
-// Whether a light shines on what a pixel shows, by numbers of 106 bits with a bound beside each: between double and the integers of
-// exact/exact_light.hpp. docs/exactness.md, "Light".
+// Whether a light shines on what a pixel shows, in 106 bits with bounds: the level between double and exact/exact_light.hpp.
+// docs/exactness.md, "Light".
 #pragma once
 
 #include <cstdint>
@@ -16,14 +16,14 @@ enum class Shadow : std::uint8_t { none, unsure, all };
 // Where a pixel's ray hits the sphere that it shows.
 class ApproximateLitPoint {
 public:
-    // `side`: of the eye, or of the ray's origin, seen from the sphere. What is passed in must outlive it.
+    // `side`: of the eye, or of the ray's origin, seen from the sphere. The references must outlive this object.
     ApproximateLitPoint(const Camera& camera, const ExactBasis& basis, PictureSize size, Pixel pixel, const Sphere& sphere,
                         EyeSide side);
 
     // The sign of n.L, with the normal turned to the eye; nothing when 106 bits are not enough.
     std::optional<int> facing(const glm::dvec3& direction) const;
 
-    // Whether another sphere, outside of which the eye lies, keeps the light away; `unsure` when 106 bits are not enough.
+    // Whether `other`, which must not contain the eye, blocks the light; `unsure` when 106 bits are not enough.
     Shadow shadow(const Sphere& other, const glm::dvec3& direction) const;
 
 private:
@@ -35,8 +35,8 @@ private:
     Pixel pixel_;
     const Sphere& sphere_;
     EyeSide side_;
-    bool outside_;    // where the ray begins
-    double largest_;  // size that the scale is for
+    bool outside_;    // the ray begins outside the sphere
+    double largest_;  // the size that scale_ is for
     SphereScale scale_;
     NearestHit hit_;
 };
@@ -48,7 +48,7 @@ struct PointBall {
     int exponent = 0;
 };
 
-// The same of all points of a ball, for a sphere of which none is inside.
+// The same for all points of a ball, none of which is inside the sphere.
 Shadow approximate_shadow(const PointBall& ball, const glm::dvec3& eye, const Sphere& other, const glm::dvec3& direction);
 
 }  // namespace sphereview

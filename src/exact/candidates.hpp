@@ -1,4 +1,4 @@
-// Which spheres a pixel can show: the lists of its screen tiles. Made by tiles/build_lists.hpp. Twin: shaders/candidates.glsl.
+// The lists of screen tiles: the spheres that a pixel can show. Made by tiles/build_lists.hpp. Twin: shaders/candidates.glsl.
 #pragma once
 
 #include <algorithm>
@@ -62,14 +62,14 @@ struct TileLevel {
 
 inline constexpr std::size_t most_tile_levels = 8;
 
-// A pixel can show only spheres from the lists of the tiles that it lies in, one of each level, the coarsest first. In a list
-// `nearest` never falls, so that a walk may stop at a sphere that begins beyond a sure hit.
+// A pixel can show only spheres in the lists of its tiles, one of each level, the coarsest first. In a list `nearest` never falls,
+// so a walk may stop at a sphere that begins beyond a sure hit.
 struct CandidateLists {
-    std::vector<TileLevel> levels;               // at most most_tile_levels; only those in which something is listed
+    std::vector<TileLevel> levels;               // at most most_tile_levels; none is empty
     std::vector<std::uint32_t> begins = {0, 0};  // where each tile's list begins; one more, for the end of the last
     UninitializedVector<Candidate> candidates;
-    PixelRange covered;           // outside it no pixel shows a sphere
-    std::int64_t most_tiles = 0;  // what covers more of a level's tiles is in the next coarser level, if there is one
+    PixelRange covered;           // pixels outside show no sphere
+    std::int64_t most_tiles = 0;  // spheres that cover more tiles of a level are in the next coarser one, if any
 
     // The list of the level's tile in which pixel (x, y) lies.
     std::span<const Candidate> at(const TileLevel& level, int x, int y) const {

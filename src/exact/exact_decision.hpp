@@ -1,4 +1,4 @@
-// The last word on visibility: exact integers on common powers of two. Nothing is rounded, nothing overflows.
+// The last level of visibility: exact integers on common powers of two. Nothing is rounded, nothing overflows.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,10 @@
 
 namespace sphereview {
 
-// On which side of the sphere's surface the eye lies.
+// The side of the sphere's surface on which the eye lies.
 EyeSide eye_side(const Sphere& sphere, const glm::dvec3& eye);
 
-// The sides of a camera's eye, of spheres one after the other.
+// The side of a camera's eye for each of many spheres.
 class EyeSides {
 public:
     explicit EyeSides(const Camera& camera) : camera_(camera) {
@@ -27,16 +27,16 @@ private:
     glm::dvec3 normal_{0.0};  // of the plane that orthographic rays begin in, of length 1
 };
 
-// On which side of the sphere's surface a pixel's ray begins: never in_plane. `side`: the eye's.
+// The side of the sphere's surface on which a pixel's ray begins: never in_plane. `side`: the eye's.
 EyeSide origin_side(const Sphere& sphere, EyeSide side, const Camera& camera, PictureSize size, Pixel pixel);
 
-// A pixel's ray in integers. The ray has a power of two of its own, and so has each sphere with the ray's origin: numbers are as
-// long as these need, whatever else is in the scene.
+// A pixel's ray in integers. The ray has its own power of two, and so has each sphere with the ray's origin: the length of numbers
+// does not depend on the rest of the scene.
 class ExactRay {
 public:
     ExactRay(const Camera& camera, PictureSize size, Pixel pixel);
 
-    // Where it hits a sphere. Roots of one ray can be compared.
+    // The hit of a sphere. Roots of one ray can be compared.
     std::optional<ExactRoot> hit(const Sphere& sphere) const;
 
 private:

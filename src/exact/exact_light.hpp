@@ -10,10 +10,10 @@
 
 namespace sphereview {
 
-// The two signs by which a sphere blocks a light, or does not.
+// The two signs that decide whether a sphere blocks a light.
 struct BlockingSigns {
-    int along = 0;  // of m.L, with m from the sphere's centre to the point: negative where the centre lies towards the light
-    int disc = 0;   // of (m.L)^2 - L.L (m.m - r^2): negative where the line to the light passes by the sphere
+    int along = 0;  // of m.L, with m from the sphere's centre to the point: negative if the centre lies towards the light
+    int disc = 0;   // of (m.L)^2 - L.L (m.m - r^2): negative if the line to the light misses the sphere
 
     bool blocks() const { return along < 0 && disc >= 0; }
 };
@@ -21,13 +21,13 @@ struct BlockingSigns {
 // Where a pixel's ray hits the sphere that it shows.
 class ExactLitPoint {
 public:
-    // `side`: of the eye, or of the ray's origin, seen from the sphere. What is passed in must outlive it.
+    // `side`: of the eye, or of the ray's origin, seen from the sphere. The references must outlive this object.
     ExactLitPoint(const Camera& camera, PictureSize size, Pixel pixel, const Sphere& sphere, EyeSide side);
 
     // The sign of n.L, with the normal turned to the eye.
     int facing(const glm::dvec3& direction) const;
 
-    // For another sphere, outside of which the eye lies.
+    // `other`: must not contain the eye.
     BlockingSigns blocking(const Sphere& other, const glm::dvec3& direction) const;
 
 private:

@@ -1,4 +1,4 @@
-// The quadratic of one ray and one sphere in exact integers, and its roots in order.
+// The quadratic of a ray and a sphere in exact integers, and comparing roots.
 #pragma once
 
 #include <array>
@@ -10,11 +10,11 @@
 
 namespace sphereview {
 
-// Of any length; up to 1,024 bits, which are enough for most scenes, without allocating memory.
+// Integers of any length; up to 1,024 bits, enough for most scenes, without allocating memory.
 using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<1024>>;
 using IntegerVector = std::array<Integer, 3>;
 
-// A power of two that all the doubles shown to it are whole multiples of.
+// A power of two of which all included doubles are whole multiples.
 class CommonScale {
 public:
     void include(double value);
@@ -24,7 +24,7 @@ public:
     // Where the camera's rays begin.
     void include_origins(const Camera& camera);
 
-    // value = whole(value) * 2^exponent(); only of doubles that were included.
+    // value = whole(value) * 2^exponent(); only for included doubles.
     Integer whole(double value) const;
     IntegerVector whole(const glm::dvec3& v) const;
     int exponent() const { return exponent_; }
@@ -37,11 +37,10 @@ private:
 Integer dot(const IntegerVector& a, const IntegerVector& b);
 IntegerVector difference(const IntegerVector& a, const IntegerVector& b);
 
-// m D of the pixel's ray (scene/camera.hpp), on the scale: D itself is m times shorter, which no comparison notices. Orthographic:
-// D.
+// m D of the pixel's ray (scene/camera.hpp) on the scale; the factor m changes no comparison. Orthographic: D.
 IntegerVector exact_direction(const Camera& camera, PictureSize size, Pixel pixel, const CommonScale& scale);
 
-// Where a ray begins, times a factor that makes it whole: 1 in perspective, m in an orthographic picture.
+// The origin of a ray, times a factor that makes it whole: 1 in perspective, m in an orthographic picture.
 struct ExactOrigin {
     IntegerVector place;
     int factor = 1;

@@ -1,4 +1,4 @@
-// Everything about one pixel: the numbers that decide what it shows.
+// Explains one pixel: all numbers that decide what it shows.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@
 
 namespace sphereview {
 
-// Which root of the quadratic is the hit, and so why.
+// The root of the quadratic that is the hit, and the reason.
 enum class CountingRoot {
     t1,         // both are positive: the smaller
     t2_inside,  // the eye is inside: t1 < 0 < t2
@@ -32,12 +32,12 @@ struct SphereOnLine {
     double b = 0.0;
     double c = 0.0;
     double discriminant = 0.0;
-    int discriminant_sign = 0;  // exact: -1 is passed by, 0 tangent, 1 two roots
-    double t1 = 0.0;            // where it is met
+    int discriminant_sign = 0;  // exact: -1 missed, 0 tangent, 1 two roots
+    double t1 = 0.0;            // the roots
     double t2 = 0.0;
 };
 
-// One that the ray hits.
+// A sphere that the ray hits.
 struct ExplainedHit : SphereOnLine {
     EyeSide eye = EyeSide::outside;  // where the ray begins
     Projection projection = Projection::perspective;
@@ -53,49 +53,48 @@ struct PixelExplanation {
     glm::dvec3 origin{0.0};          // O, rounded once
     glm::dvec3 direction{0.0};       // D, likewise
     std::vector<ExplainedHit> hits;  // nearest first; of equal ones the first in the file first
-    std::int64_t farther = 0;        // hits beyond these, where not all were asked for
+    std::int64_t farther = 0;        // further hits, if not all were asked for
     std::int64_t missed = 0;         // discriminant below 0
     std::int64_t behind = 0;         // no positive root
     std::int64_t hidden = 0;
-    std::int64_t elsewhere = 0;                     // not tried, for they are in no list of the pixel: missed or behind
-    DecisionLevel level = DecisionLevel::in_float;  // what it took
-    // Spheres that the ray does not hit: those that its line passes by in front first, then those that it meets behind the eye
-    // alone; the nearest of each first.
+    std::int64_t elsewhere = 0;                     // missed or behind, and not tried: in no list of the pixel
+    DecisionLevel level = DecisionLevel::in_float;  // that decided the pixel
+    // Spheres that the ray does not hit: first those that the ray misses in front, then those behind the eye; the nearest of each
+    // first.
     std::vector<SphereOnLine> passed{};
 
     // The number of the sphere that the pixel shows, or visible_background.
     std::int32_t visible() const { return hits.empty() ? visible_background : hits.front().number; }
 };
 
-// As many as a window shows: a ray may hit thousands, and the window waits.
+// The most hits that a window shows: a ray may hit thousands.
 inline constexpr std::size_t most_hits_explained = 20;
 inline constexpr std::size_t most_passed_explained = 4;
-// As many as a person could read: each takes kilobytes.
+// The most hits that `explain` lists: each takes kilobytes.
 inline constexpr std::size_t most_hits_listed = 1000;
 
-// A pixel inside the picture that `camera` sees, with the spheres that are drawn for the camera. With the lists of the picture it
-// tries only the spheres in the pixel's lists, and finds the same hits. It explains so many of them, the nearest: each takes some
-// 20 microseconds. Of the spheres that are passed it explains at most so many in front and so many behind the eye; for these it
-// goes through the whole scene.
+// Explains a pixel inside the picture. `drawn`: by `camera`. With the picture's `lists` tries only the spheres in the pixel's
+// lists, and finds the same hits. Explains the nearest `most_hits`: each takes some 20 microseconds. Of passed spheres explains at
+// most `most_passed` in front and as many behind the eye; for these it goes through the whole scene.
 PixelExplanation explain_pixel(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size, Pixel pixel,
                                const CandidateLists* lists = nullptr,
                                std::size_t most_hits = std::numeric_limits<std::size_t>::max(), std::size_t most_passed = 0);
 
-// What an explanation says in words, for whoever shows it: "sphere 2 'sun'" or "the background".
+// The words of explanations: "sphere 2 'sun'" or "the background".
 std::string called(const Scene& scene, std::int32_t number);
 std::string vector_in_words(const glm::dvec3& v);
 
-// O and D, with what they are.
+// O and D with their names.
 std::string origin_in_words(const PixelExplanation& explanation);
 std::string direction_in_words(const PixelExplanation& explanation);
 
 // Where a sphere without a positive root is.
 const char* behind_in_words(const PixelExplanation& explanation);
 
-// Which root counts, and why.
+// The root that counts, and why.
 const char* why(const ExplainedHit& hit);
 
-// What it took to decide a pixel.
+// The level that decided a pixel, in words.
 const char* level_in_words(DecisionLevel level);
 
 // The numbers of a hit.
@@ -104,7 +103,7 @@ struct HitInWords {
     std::string b;
     std::string c;
     std::string discriminant;
-    std::string roots;  // how many, by the discriminant: "> 0: two roots"
+    std::string roots;  // their number by the discriminant: "> 0: two roots"
     std::string t1;
     std::string t2;
     std::string t;

@@ -9,17 +9,17 @@
 
 namespace sphereview {
 
-// Where the eye is, seen from a sphere: the sign of |C|^2 - r^2, decided exactly once for the sphere. An orthographic eye is the
-// plane that its rays begin in: outside where the plane passes by the sphere, else in_plane: which root counts, each ray must tell.
+// The eye's place relative to a sphere: the sign of |C|^2 - r^2, decided exactly, once for the sphere. An orthographic eye is the
+// plane in which its rays begin: outside if the plane misses the sphere, else in_plane, where each ray decides which root counts.
 enum class EyeSide : std::uint8_t { outside, inside, on_surface, in_plane };
 
-// The arithmetic that a bound is for: `unit` bounds the relative error of + - x and of the inputs; square roots, inverse
-// square roots and division may err by twice as much.
+// The units of arithmetics: bounds on the relative error of + - x and of inputs. Square roots, inverse square roots and division
+// may err by twice as much.
 inline constexpr double gpu_unit = 0x1p-21;     // 8 times IEEE 754's: the assumption about GPUs
 inline constexpr double float_unit = 0x1p-24;   // IEEE 754 single precision, rounded to nearest
 inline constexpr double double_unit = 0x1p-53;  // IEEE 754 double precision, rounded to nearest
 
-// Beyond this condition of the rays (exact/rays.hpp) the bound for floats is not proven.
+// The bound for floats is proven up to this condition of the rays (exact/rays.hpp).
 inline constexpr double largest_float_condition = 256.0;
 
 // An orthographic direction is only rounded; the rest pays for the rounding of origins. docs/exactness.md, "Orthographic rays".
@@ -33,7 +33,7 @@ inline constexpr double largest_double_size = 0x1p300;
 // the rays' origins, and kappa is orthographic_condition.
 constexpr double error_scale(double kappa, double unit) { return (5.0 * kappa + 22.0) * unit * (1.0 + 1.0 / 64.0); }
 
-// The interval of the hit's distance along the ray. Missed: low is infinite. Not sure to be a hit: high is infinite.
+// Bounds of the hit's distance along the ray. A miss: low is infinite. Not surely a hit: high is infinite.
 template <typename Real>
 struct HitBounds {
     Real low;
@@ -104,7 +104,7 @@ inline HitBounds<Real> hit_bounds(EyeSide side, Real cx, Real cy, Real cz, Real 
     return {};
 }
 
-// What is known of a pixel's nearest hits after some spheres: enough to tell whether one of them is surely the visible one.
+// Bounds on a pixel's nearest hits after some spheres, by which decided() tells whether one is surely visible.
 template <typename Real>
 struct NearestHits {
     static constexpr Real never = std::numeric_limits<Real>::infinity();

@@ -1,4 +1,4 @@
-// A sphere against some pixels of a picture at once, in double: loops that the compiler turns into SIMD.
+// Tests a sphere against several pixels at once, in double, with loops that become SIMD.
 #pragma once
 
 #include <array>
@@ -15,13 +15,13 @@ namespace sphereview {
 
 inline constexpr std::size_t most_lanes = 64;
 
-// One bit for each of the pixels.
+// A bit for each pixel.
 using LaneSet = std::uint64_t;
 
 template <typename T>
 using Lane = std::array<T, most_lanes>;
 
-// A vector of each pixel.
+// A vector for each pixel.
 struct VectorLanes {
     Lane<double> x;
     Lane<double> y;
@@ -34,33 +34,33 @@ struct VectorLanes {
     }
 };
 
-// Distances of different spheres are compared in times of this, so that none overflows.
+// The unit in which distances of different spheres are compared, so that none overflows.
 inline constexpr double distance_unit = 0x1p8;
 
-// A sphere as the double filter takes it. Sizes for which squares would leave the range of doubles are brought near 1.
+// A sphere for the double filter. Sizes whose squares would leave the range of doubles are brought near 1.
 struct BoundedSphere {
     glm::dvec3 center{0.0};             // relative to the eye, times a power of two
     double radius = 0.0;                // likewise
     double scale = 1.0;                 // that power
-    double w = 0.0;                     // the bound (exact/filter.hpp); infinite when nothing is known of the sphere
-    double unit = 1.0 / distance_unit;  // what turns lengths of these into distances in distance_unit
+    double w = 0.0;                     // the bound (exact/filter.hpp); infinite if nothing is known
+    double unit = 1.0 / distance_unit;  // converts these lengths to distance_unit
 
     // `reach`: of the rays' origins (RayBasis).
     BoundedSphere(const Sphere& sphere, const glm::dvec3& eye, double error_scale, double reach);
 };
 
-// NearestHits (exact/filter.hpp) of some pixels.
+// NearestHits (exact/filter.hpp) of several pixels.
 class BoundLanes {
 public:
-    // Their unit directions, of one to most_lanes of them. `origins`: where they begin, relative to the eye; empty: in the eye.
+    // `rays`: unit directions, 1 to most_lanes. `origins`: relative to the eye; empty: all in the eye.
     explicit BoundLanes(std::span<const glm::dvec3> rays, std::span<const glm::dvec3> origins);
 
-    // The pixels that may show the sphere, of those seen so far.
+    // Returns the pixels that may show the sphere, given the spheres so far.
     LaneSet add(std::int64_t index, const BoundedSphere& sphere, EyeSide side);
 
-    // What is known of one of the pixels.
+    // The bounds of one pixel.
     NearestHits<double> nearest(std::size_t lane) const;
-    // The largest smallest_high of the pixels. No hit is at 0 or behind the eye.
+    // The largest smallest_high of the pixels.
     double farthest_sure_hit() const;
 
 private:
@@ -69,8 +69,8 @@ private:
 
     std::size_t count_;   // of lanes; the last pixel is repeated to fill them up
     VectorLanes ray_;     // unit directions
-    bool in_eye_;         // all begin there
-    VectorLanes origin_;  // else: where they begin
+    bool in_eye_;         // all rays begin in the eye
+    VectorLanes origin_;  // else the rays' origins
     Lane<double> smallest_high_;
     Lane<double> low_;
     Lane<double> second_low_;
@@ -78,24 +78,24 @@ private:
     Lane<std::int64_t> guess_;
 };
 
-// The nearest hits of some pixels (exact/nearest_hit.hpp), rounded to double: what is surely no nearer is told at once.
+// The nearest hits of several pixels (exact/nearest_hit.hpp), rounded to double, to reject spheres that are surely not nearer.
 class DifferenceLanes {
 public:
     explicit DifferenceLanes(std::size_t count);
 
-    // All spheres that come from now on, until the next call, are on this scale. What is set stays, and is to be set anew.
+    // Sets the scale of the next spheres. Hits stay as they are, and must be set anew.
     void use(const SphereScale& scale);
 
-    // From now on the pixel takes part.
+    // Sets a pixel's nearest hit; from now on the pixel takes part.
     void set(std::size_t lane, const NearestHit& nearest);
 
-    // The pixels, of those that take part, whose nearest hit the sphere may challenge.
+    // The pixels taking part whose nearest hit the sphere may challenge.
     LaneSet challenged_by(const ScaledSphere& sphere) const;
 
 private:
-    // The same if all rays begin outside of the sphere, or none does.
+    // The same if all rays begin outside the sphere, or all inside.
     LaneSet challenged_by(const ScaledSphere& sphere, bool outside) const;
-    // The pixels whose rays surely begin outside of a sphere, and inside.
+    // The pixels whose rays surely begin outside, and inside, a sphere.
     struct Sides {
         LaneSet outside;
         LaneSet inside;
@@ -111,29 +111,29 @@ private:
 
     std::size_t count_;
     Lane<std::int64_t> takes_part_{};       // 1 or 0
-    VectorLanes center_ = unknown_vectors;  // of the sphere that is hit, in the scene
+    VectorLanes center_ = unknown_vectors;  // of the hit sphere, in the scene
     Lane<double> c_high_ = unknown;
     Lane<double> c_low_ = unknown;
     Lane<double> c_error_ = unknown;
-    VectorLanes hit_ = unknown_vectors;    // x, relative to the eye; not a number where nothing is known
-    VectorLanes ahead_ = unknown_vectors;  // the ray's direction; in perspective the hit, which is one
+    VectorLanes hit_ = unknown_vectors;    // x, relative to the eye; NaN if unknown
+    VectorLanes ahead_ = unknown_vectors;  // the ray's direction; in perspective the hit
     Lane<double> square_ = unknown;        // x . ahead
     Lane<double> error_ = unknown;         // of each of the hit's components
     Lane<double> length_ = unknown;        // |x| + |y| + |z|
-    Lane<double> inaccuracy_ = unknown;    // what bounds the error of V, by the sizes of C and x: docs/exactness.md
+    Lane<double> inaccuracy_ = unknown;    // bounds the error of V by the sizes of C and x: docs/exactness.md
 
-    VectorLanes origin_ = unknown_vectors;  // where the ray begins, relative to the eye; not a number before anything is hit
+    VectorLanes origin_ = unknown_vectors;  // the ray's, relative to the eye; NaN before a hit
     Lane<double> origin_error_ = unknown;   // of each component
     Lane<double> origin_length_ = unknown;
     Lane<double> origin_square_ = unknown;
 
     // For the power as a sum of products with differences.
     double difference_unit_ = 0.0;
-    VectorLanes scene_ = unknown_vectors;  // of the sphere that is hit: its numbers in the scene,
+    VectorLanes scene_ = unknown_vectors;  // the hit sphere's centre in the scene
     Lane<double> scene_radius_ = unknown;
-    VectorLanes sum_ = unknown_vectors;  // its centre relative to the eye, less twice the hit,
-    Lane<double> sum_length_ = unknown;  // the sizes of what was summed,
-    Lane<double> radius_ = unknown;      // and its radius
+    VectorLanes sum_ = unknown_vectors;  // its centre relative to the eye, less twice the hit
+    Lane<double> sum_length_ = unknown;  // the sizes of the terms of sum_
+    Lane<double> radius_ = unknown;      // the hit sphere's radius
 };
 
 }  // namespace sphereview

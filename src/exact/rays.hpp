@@ -1,4 +1,4 @@
-// The rays of a picture in floating point, and how far they can be trusted.
+// The rays of a picture in floating point, and their condition.
 #pragma once
 
 #include "base/square_root.hpp"
@@ -7,22 +7,22 @@
 namespace sphereview {
 
 // Perspective: pixel (x, y) looks from the eye along forward + across right + upward up, with the whole numbers of
-// ray_coefficients(). Scaled so that the largest component of `forward` lies in [0.5, 1). Orthographic: it looks along `forward`
-// from across right + upward up, relative to the eye, in scene units times 2^scale. Each component is within 2 units in the last
-// place of the exact one.
+// ray_coefficients(), scaled so that the largest component of `forward` lies in [0.5, 1). Orthographic: the pixel looks along
+// `forward` from across right + upward up, relative to the eye, in scene units times 2^scale. Each component is within 2 units in
+// the last place of the exact one.
 template <typename Real>
 struct RayBasis {
     glm::vec<3, Real> forward;
     glm::vec<3, Real> right;
     glm::vec<3, Real> up;
     bool orthographic = false;
-    // At least |x| + |y| + |z| of every pixel's |across right| + |upward up|, where rays begin. 0 in perspective.
+    // An upper bound on |x| + |y| + |z| of the rays' origins; 0 in perspective.
     Real reach = 0;
-    // False when the camera's numbers are so large or small that what is above does not hold; they are finite all the same.
+    // False if the camera's numbers are too large or small for the bounds above. All numbers are finite all the same.
     bool in_range = true;
 };
 
-// `scale`: DrawnSpheres::scale for rays among those, 0 for rays in the scene.
+// `scale`: DrawnSpheres::scale for rays among drawn spheres, 0 for rays in the scene.
 template <typename Real>
 RayBasis<Real> ray_basis(const Camera& camera, PictureSize size, int scale = 0);
 
@@ -36,7 +36,7 @@ glm::vec<3, Real> unit_ray(const RayBasis<Real>& basis, PictureSize size, Pixel 
     return d * (Real(1) / square_root(d.x * d.x + d.y * d.y + d.z * d.z));
 }
 
-// Where that ray begins, relative to the eye.
+// The origin of that ray, relative to the eye.
 template <typename Real>
 glm::vec<3, Real> ray_origin(const RayBasis<Real>& basis, PictureSize size, Pixel pixel) {
     if (!basis.orthographic) return glm::vec<3, Real>(Real(0));
@@ -48,7 +48,7 @@ glm::vec<3, Real> ray_origin(const RayBasis<Real>& basis, PictureSize size, Pixe
 // large when the screen's centre lies far off the axis.
 double ray_condition(const Camera& camera);
 
-// What error_scale() takes for kappa.
+// The kappa for error_scale().
 double filter_condition(const Camera& camera);
 
 }  // namespace sphereview

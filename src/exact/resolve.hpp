@@ -1,4 +1,4 @@
-// Decides what float could not: in double with its own bound, then exactly.
+// Decides the pixels that float could not: in double with its own bound, then exactly.
 #pragma once
 
 #include <cstdint>
@@ -18,43 +18,43 @@ struct DecisionCounts {
     std::int64_t in_float = 0;
     std::int64_t in_double = 0;
     std::int64_t exactly = 0;
-    std::int64_t integer_tests = 0;  // of spheres, for the pixels decided exactly: those that 106 bits could not tell apart
+    std::int64_t integer_tests = 0;  // tests of spheres that 106 bits could not decide
 
     DecisionCounts& operator+=(const DecisionCounts& other);
 };
 
 enum class DecisionLevel { in_float, in_double, exactly };
 
-// What it takes to decide a pixel: float with the bound assumed of GPUs, double, or exact integers. `lists` as for Resolver.
+// The level that decides a pixel: float with the bound assumed of GPUs, double, or exact arithmetic. `lists`: as for Resolver.
 DecisionLevel decision_level(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size, Pixel pixel,
                              const CandidateLists* lists = nullptr);
 
-// Turns what a renderer wrote into the numbers of the exact picture. What is passed in must outlive it.
+// Turns a renderer's result into the numbers of the exact picture. The references must outlive this object.
 class Resolver {
 public:
-    // With the lists of the picture it tries only the spheres that a pixel can show, without them all.
+    // With the picture's `lists` tries only the spheres that a pixel can show, else all.
     Resolver(const Scene& scene, const DrawnSpheres& drawn, PictureSize size, const CandidateLists* lists = nullptr);
-    // The picture that another camera than the scene's sees.
+    // The picture of another camera than the scene's.
     Resolver(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size, const CandidateLists* lists);
 
-    // The number in the scene of the sphere that the pixel shows, or visible_background; `level` says what it took.
+    // The number of the sphere that the pixel shows, or visible_background. Sets `level`.
     std::int32_t resolve(Pixel pixel, DecisionLevel& level) const;
 
-    // Certifies a block: indices among the drawn spheres become numbers in the scene, doubtful pixels are resolved.
-    // Calls progress() now and then, from this thread, with the part that is done, 0..1.
+    // Certifies a block: indices among the drawn spheres become numbers in the scene, doubtful pixels are resolved. Calls
+    // progress() with the finished part, 0..1, from this thread.
     DecisionCounts certify(const Block& block, std::span<std::int32_t> visible,
                            const std::function<void(double)>& progress = nullptr) const;
 
-    // Only turns indices, best guesses included, into numbers in the scene.
+    // Turns indices, best guesses included, into numbers in the scene, and resolves nothing.
     void accept_guesses(std::span<std::int32_t> visible) const;
 
 private:
-    // Resolves some pixels of one cell: at most 64, all in the same tiles. It writes the number for each, and counts.
+    // Resolves at most 64 pixels of one cell, all in the same tiles.
     DecisionCounts resolve(std::span<const Pixel> pixels, std::span<std::int32_t> numbers) const;
-    // The pixels' unit directions, and where the rays begin, relative to the eye. Returns whether they are as exact as error_scale_
-    // takes them to be.
+    // The unit directions of the pixels' rays, and the origins relative to the eye. Returns whether they are as exact as
+    // error_scale_ needs.
     bool aim(std::span<const Pixel> pixels, std::span<glm::dvec3> rays, std::span<glm::dvec3> origins) const;
-    // Certifies a part of the block that is no higher than a cell.
+    // Certifies a part of the block, at most as high as a cell.
     DecisionCounts certify_piece(const Block& piece, const Block& block, std::span<std::int32_t> visible) const;
 
     const Sphere& sphere(std::size_t index) const { return scene_.spheres[static_cast<std::size_t>(drawn_.number(index))]; }
