@@ -60,7 +60,7 @@ public:
 
     // The bounds of one pixel.
     NearestHits<double> nearest(std::size_t lane) const;
-    // The largest smallest_high of the pixels.
+    // The largest smallest_high of the pixels, which is above 0.
     double farthest_sure_hit() const;
 
 private:

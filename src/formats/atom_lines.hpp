@@ -1,5 +1,5 @@
-// What the formats share in which each atom has a line: frames are found without a look at their atoms, and the lines of the wanted
-// one are read on all cores.
+// Shared by formats with a line for each atom: finds frames without reading their atoms, and reads the lines of the wanted frame on
+// all cores.
 #pragma once
 
 #include <algorithm>
@@ -21,10 +21,10 @@
 
 namespace sphereview {
 
-// Whether the line that `rest` begins with belongs to the atom of `line`, which stands before it.
+// Whether the line that `rest` begins with belongs to the atom of the preceding `line`.
 using GoesOn = bool (*)(std::string_view line, std::string_view rest);
 
-// Where the lines of one frame's atoms stand.
+// The places of the lines of a frame's atoms.
 struct AtomLines {
     std::size_t count = 0;
     GoesOn goes_on = nullptr;  // null: each atom has one line
@@ -33,9 +33,9 @@ struct AtomLines {
     std::vector<std::size_t> pieces{};  // where the first line of each atom_lines_a_piece begins; of the wanted frame,
                                         // and of one that the text ends with
 
-    // At a piece's first line.
+    // A walker at a piece's first line.
     LineWalker walker(const TextSource& source, std::size_t piece) const { return {source.text, line_end, pieces[piece]}; }
-    // Of the first atom; "" where there is none.
+    // The first atom's line; "" without atoms.
     std::string_view first_line(const TextSource& source) const { return count > 0 ? walker(source, 0).step() : ""; }
 
     // Steps over an atom's lines and returns the first.
@@ -51,12 +51,11 @@ struct AtomLines {
 
 inline constexpr std::size_t atom_lines_a_piece = 1024;  // that one core reads at a time
 
-// Steps over the lines of `count` atoms, or of `what` else has a line each. of_frame: " of frame 3". Throws TextEnds where the text
-// ends before.
+// Steps over the lines of `count` atoms (or `what`). of_frame: " of frame 3". Throws TextEnds if the text ends before.
 AtomLines step_over_atoms(const TextSource& source, LineWalker& walker, std::size_t count, bool wanted, const std::string& of_frame,
                           GoesOn goes_on = nullptr, const char* what = "atom");
 
-// " of atom 3 of 5", of that index from 0.
+// " of atom 3 of 5"; `index` counts from 0.
 std::string of_atom(std::size_t index, std::size_t count, const char* what = "atom");
 
 // What TokenReader expects in an atom's line: the("x")() is "the x of atom 3 of 5".
@@ -76,7 +75,7 @@ inline glm::dvec3 read_place(TokenReader& reader, const OfAtom& the) {
     return {x, y, z};
 }
 
-// The same; false where one of the numbers is missing, which nan and the like stand for.
+// The same; false if a number is missing, such as nan.
 inline bool read_place_if_any(TokenReader& reader, const OfAtom& the, glm::dvec3& place) {
     const bool x = reader.number_if_any(the("x"), place.x);
     const bool y = reader.number_if_any(the("y"), place.y);
@@ -84,9 +83,9 @@ inline bool read_place_if_any(TokenReader& reader, const OfAtom& the, glm::dvec3
     return x && y && z;
 }
 
-// What finders of frames share, which step from frame to frame without a look at the atoms. Each of them has a type Frame and
-// next(frame, number, wanted), which steps over the next frame, number `number` from 0, and is false when there is none; of the
-// wanted one it notes where the atoms are.
+// The base of finders of frames, which step from frame to frame without reading atoms. Each has a type Frame and next(frame,
+// number, wanted), which steps over frame `number`, from 0, or returns false at the end; it notes the places of the wanted frame's
+// atoms.
 class FrameFinder {
 public:
     FrameFinder(const TextSource& source, const PartOfFile& part)
@@ -98,8 +97,7 @@ public:
     // Where the next line begins.
     std::size_t offset() const { return walker_.offset(); }
 
-    // Whether the line, the text's last one, holds all that the line of an atom of the frame does. Finders that can tell have their
-    // own.
+    // Whether the text's last line is a whole line of an atom of the frame. Finders that can tell override this.
     template <typename Frame>
     bool holds_atom(const Frame&, std::string_view) const {
         return true;
@@ -108,17 +106,17 @@ public:
 protected:
     bool nothing_follows() const { return source_.text.find_first_not_of(white_space, offset()) == std::string_view::npos; }
 
-    // To be called at the beginning of each frame, for messages.
+    // Call at the beginning of each frame, for messages.
     void begin_frame(std::int64_t number) { of_frame_ = " of frame " + std::to_string(number); }
     const std::string& of_frame() const { return of_frame_; }
 
-    // The next line, in the way to `expected`. Throws TextEnds.
+    // The next line, which should hold `expected`. Throws TextEnds.
     std::string_view step(std::string_view expected) {
         if (walker_.at_end()) source_.fail_at_end(std::string(expected) + of_frame_);
         return walker_.step();
     }
 
-    // A line with the number of atoms, behind which anything may stand.
+    // The number of atoms in the next line, which may go on behind it.
     std::size_t step_over_count() {
         const std::string_view line = step("the number of atoms");
         const auto expected = [&] { return "the number of atoms" + of_frame_; };
@@ -137,18 +135,18 @@ private:
     std::string of_frame_{};
 };
 
-// Of the text's last frame, whose last line has no line end: what is wrong where that is not whole; else "". A program that was
-// ended while it wrote leaves half a line, which shows where the frame is read, by read_frame(frame).
+// The fault of the text's last frame if its last line, without a line end, is not whole; else "". A program that was ended while it
+// wrote leaves half a line, which reading the frame, by read_frame(frame), shows.
 template <typename Finder, typename ReadFrame>
 std::string fault_of_last_line(const TextSource& source, const Finder& finder, const typename Finder::Frame& frame,
                                std::int64_t number, const ReadFrame& read_frame) {
-    if (!finder.at_end()) return "";  // first: to look for the last line behind each frame would take long
+    if (!finder.at_end()) return "";  // first: looking for the last line behind each frame would take long
     const bool ends_in_cr = source.text.ends_with('\r') && line_end_of(source.text) == '\n';
     const std::string_view line = last_line(source.text.substr(0, source.text.size() - (ends_in_cr ? 1 : 0)));
     if (line.empty()) return "";
     bool is_whole = finder.holds_atom(frame, line);
     try {
-        // Of a frame that goes on behind its atoms these are whole, and their lines are not noted.
+        // The atoms of a frame that goes on behind them are whole, and their lines are not noted.
         if (is_whole && !frame.atoms.pieces.empty()) read_frame(frame);
     } catch (const TextFault& fault) {
         is_whole = fault.offset < source.offset_of(line);
@@ -158,9 +156,8 @@ std::string fault_of_last_line(const TextSource& source, const Finder& finder, c
            std::to_string(number);
 }
 
-// Reads the wanted frame, by read_frame(frame), which gives SphereData. beginning: what an empty text lacks. A fault behind the
-// wanted frame is only warned of: what follows is passed over. Throws what `finder` throws, and InputError where there is no such
-// frame.
+// Reads the wanted frame by read_frame(frame), which gives SphereData. beginning: what an empty text lacks. A fault behind the
+// wanted frame becomes a warning. Throws what `finder` throws, and InputError if there is no such frame.
 template <typename Finder, typename ReadFrame>
 SphereData read_wanted_frame(const TextSource& source, const DataOptions& options, Finder& finder, const char* beginning,
                              const ReadFrame& read_frame) {
@@ -177,7 +174,7 @@ SphereData read_wanted_frame(const TextSource& source, const DataOptions& option
             fault = early_end(error.what(), frames);
             break;
         }
-        // The wanted one is read in any case.
+        // The wanted frame is read in any case.
         const auto read = [&](const Frame& last) {
             if (frames > options.frame) read_frame(last);
         };
@@ -200,7 +197,7 @@ SphereData read_wanted_frame(const TextSource& source, const DataOptions& option
     return data;
 }
 
-// SceneFormat::read of a format that needs no more than its finder and read_frame(source, frame, options).
+// SceneFormat::read for a format with a finder and read_frame(source, frame, options).
 template <typename Finder, typename ReadFrame>
 SphereData read_frame_of(std::string_view content, const std::string& name, const DataOptions& options, const char* beginning,
                          const ReadFrame& read_frame) {
@@ -210,11 +207,11 @@ SphereData read_frame_of(std::string_view content, const std::string& name, cons
                              [&](const auto& frame) { return read_frame(source, frame, options); });
 }
 
-// Likewise SceneFormat::step_over.
+// SceneFormat::step_over for such a format.
 template <typename Finder, typename ReadFrame>
 std::optional<std::size_t> step_over_frame(std::string_view text, bool ended, const std::string& name, PartOfFile& part,
                                            const ReadFrame& read_frame) {
-    // Cut off anywhere, a text has some lines that are whole.
+    // A text that is cut off anywhere has whole lines up to its last line end.
     const std::string_view lines = ended ? text : text.substr(0, text.rfind(line_end_of(text)) + 1);
     const TextSource source{name, lines, part.origin};
     Finder finder(source, part);
@@ -234,32 +231,31 @@ std::optional<std::size_t> step_over_frame(std::string_view text, bool ended, co
     }
 }
 
-// Throws InputError where a computed place, of the atom with that line, is beyond a double.
+// Throws InputError if the computed place of the atom with that line is beyond a double.
 void require_finite(const TextSource& source, std::string_view line, const glm::dvec3& center, std::size_t index,
                     std::size_t count);
 
-// What a line says.
+// The atom of a line.
 struct LineAtom {
     Sphere sphere{};
-    std::string_view label{};  // what the atom's name is made of
+    std::string_view label{};  // the atom's name is made of this
     bool is_virtual = false;   // no atom (elements.hpp)
-    bool is_nowhere = false;   // its place is not known: it is left out
+    bool is_nowhere = false;   // without a place: left out
 };
 
-// Gives the atom its element's size and colour.
 void show_as(LineAtom& atom, const Element& element, const DataOptions& options);
 
 // The atoms of a frame.
 struct Atoms {
     std::vector<Sphere> spheres{};
-    std::vector<std::string_view> labels{};    // none of more than most_named_atoms
+    std::vector<std::string_view> labels{};    // empty for more than most_named_atoms
     std::vector<std::size_t> virtual_sites{};  // their numbers, ascending
     std::vector<std::size_t> nowhere{};        // likewise
     FileProperties properties{};
 };
 
-// Reads a frame's lines. make_reader(piece) makes what reads the lines of one piece: read(line, index) gives the LineAtom of atom
-// `index`. Throws MemoryError where the atoms do not fit.
+// Reads a frame's lines. make_reader(piece) makes the reader of a piece's lines, whose read(line, index) gives the LineAtom of atom
+// `index`. Throws MemoryError if the atoms do not fit.
 template <typename MakeReader>
 Atoms read_atom_lines(const TextSource& source, const AtomLines& lines, const MakeReader& make_reader) {
     require_memory_for_spheres(source.name, lines.count);
@@ -291,8 +287,8 @@ Atoms read_atom_lines(const TextSource& source, const AtomLines& lines, const Ma
     return atoms;
 }
 
-// Reads the columns of a frame's lines that are asked for. fields_of(line, index, most, fields) appends the first `most` fields of
-// the row of atom `index` to `fields`.
+// Reads the wanted columns of a frame's lines. fields_of(line, index, most, fields) appends the first `most` fields of atom `index`
+// to `fields`.
 template <typename FieldsOf>
 FileProperties read_line_properties(const TextSource& source, const AtomLines& lines, const std::vector<PropertyColumn>& columns,
                                     const DataOptions& options, const FieldsOf& fields_of) {
@@ -308,7 +304,7 @@ FileProperties read_line_properties(const TextSource& source, const AtomLines& l
     });
 }
 
-// The same where the columns are the words of each line.
+// The same for columns that are the words of each line.
 inline FileProperties read_word_properties(const TextSource& source, const AtomLines& lines,
                                            const std::vector<PropertyColumn>& columns, const DataOptions& options) {
     const auto split = [](std::string_view line, std::size_t, std::size_t most, std::vector<std::string_view>& words) {
@@ -317,10 +313,10 @@ inline FileProperties read_word_properties(const TextSource& source, const AtomL
     return read_line_properties(source, lines, columns, options, split);
 }
 
-// Makes data of atoms: name_of(label) calls each that has a label.
+// Makes SphereData of atoms. name_of(label): the name of an atom with a label.
 SphereData data_of(Atoms atoms, const std::string& name, const DataOptions& options, std::string (*name_of)(std::string_view));
 
-// What an atom of an element is called: as the file calls it, or by the symbol of an atomic number.
+// The name of an atom by its element: as in the file, or the symbol of an atomic number.
 std::string name_of_species(std::string_view species);
 
 }  // namespace sphereview

@@ -1,4 +1,4 @@
-// What the readers of atoms share.
+// Shared by the readers of atoms.
 #pragma once
 
 #include <cstddef>
@@ -11,27 +11,27 @@
 
 namespace sphereview {
 
-// The radius of an atom for which the file says none: the element's, or the given one. A virtual site stays small
+// The radius of an atom without one in the file: the element's, or that of the options. A virtual site stays small
 // (settle_virtual_sites).
 double radius_of(const Element& element, const DataOptions& options);
 
-// Removes the spheres of these numbers, which ascend, with their names and values; the others move up.
+// Removes spheres, whose numbers ascend, with their names and values; the others move up.
 void remove_spheres(Scene& scene, std::span<const std::size_t> numbers);
 
-// Of the spheres of these numbers those that are left once others are `gone`, by the numbers that they then have. All ascend.
+// The new numbers of these spheres once others are `gone`, without those that are gone themselves. All ascend.
 std::vector<std::size_t> numbers_without(std::span<const std::size_t> numbers, std::span<const std::size_t> gone);
 
-// Throws MemoryError when so many spheres, and what is needed beside each, do not fit.
+// Throws MemoryError if `count` spheres do not fit.
 void require_memory_for_spheres(const std::string& name, std::size_t count, std::size_t bytes_of_each = sizeof(Sphere));
 
-// For a warning of a fault behind that many frames: the fault, and what is passed over.
+// The warning about a fault behind that many frames.
 std::string early_end(const std::string& fault, std::int64_t frames);
 
 // Warns of rows of the file `name` without coordinates, if there are any: "1 vertex has no coordinates and is left out".
 void warn_of_left_out(SphereData& data, std::size_t count, const std::string& name, const char* one, const char* several);
 
-// What becomes of the spheres that are virtual sites, whose numbers ascend: none is larger than an atom, whatever radius the file
-// gives it; a warning, which begins with the file's `name`, says how many there are; and they are removed where options say so.
+// Makes the virtual sites, whose numbers ascend, no larger than atoms, whatever radius the file gives, or removes them if the
+// options say so. A warning, which begins with the file's `name`, says how many there are.
 void settle_virtual_sites(SphereData& data, std::span<const std::size_t> sites, const std::string& name,
                           const DataOptions& options);
 

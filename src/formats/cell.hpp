@@ -6,14 +6,14 @@
 
 namespace sphereview {
 
-// Three edges from one corner. Every number of it may be anything that a file says.
+// Three edges from one corner. The numbers may be anything that a file says.
 struct Cell {
     glm::dvec3 corner{0.0};
     glm::dvec3 a{0.0};
     glm::dvec3 b{0.0};
     glm::dvec3 c{0.0};
 
-    // Where a place lies that is given in parts of the edges: the same double on every machine, by * and + in a fixed order.
+    // The place at these parts of the edges. The same double on every machine, by * and + in a fixed order.
     glm::dvec3 place(const glm::dvec3& parts) const;
 
     // Whether the edges lie along x, y and z.
@@ -23,11 +23,11 @@ struct Cell {
     double volume() const;
 };
 
-// Edges of these lengths, above 0, and the angles between them in degrees: a lies along x, b in the plane of x and y, as usual in
-// crystallography. The same doubles on every machine. Nothing where no cell has such angles.
+// The cell with edges of these lengths, above 0, and these angles in degrees: a lies along x, b in the plane of x and y, as usual
+// in crystallography. The same doubles on every machine. Nothing if no cell has such angles.
 std::optional<Cell> cell_of(const glm::dvec3& lengths, double alpha, double beta, double gamma);
 
-// Within 2^-50 of its size, by + - * / in a fixed order. `x` > 0 and finite.
+// Within a relative 2^-50, by + - * / in a fixed order. `x` > 0 and finite.
 double cube_root(double x);
 
 }  // namespace sphereview

@@ -1,4 +1,4 @@
-// What the readers of CIF share: values, and where in the text they stand. For sources that may include gemmi.
+// Shared by the readers of CIF: values, and their places in the text. For sources that may include gemmi.
 #pragma once
 
 #include <cmath>
@@ -17,7 +17,7 @@
 
 namespace sphereview {
 
-// gemmi keeps only the line of a table, or of a pair of a tag and a value: the others are looked for behind that.
+// gemmi keeps only the line of a table or a pair; this searches for the word from there on.
 inline std::string at_word(const TextSource& source, const gemmi::cif::Item& item, std::size_t number, const std::string& message) {
     const bool is_loop = item.type == gemmi::cif::ItemType::Loop;
     const std::span<const std::string> tags = is_loop ? std::span(item.loop.tags) : std::span(item.pair.data(), 1);
@@ -26,13 +26,13 @@ inline std::string at_word(const TextSource& source, const gemmi::cif::Item& ite
     return (place == std::string_view::npos ? line : source.place(place)) + message;
 }
 
-// `tag`: which of the table's.
+// `tag`: the number of the table's tag.
 [[noreturn]] inline void fail_at_tag(const TextSource& source, const gemmi::cif::Item& item, const std::string& message,
                                      std::size_t tag = 0) {
     throw InputError(at_word(source, item, tag, message));
 }
 
-// `value`: which of the table's, row by row.
+// `value`: the number of the table's value, row by row.
 inline std::string at_value(const TextSource& source, const gemmi::cif::Item& item, const std::string& message,
                             std::size_t value = 0) {
     const std::size_t tags = item.type == gemmi::cif::ItemType::Loop ? item.loop.tags.size() : 1;
@@ -44,7 +44,7 @@ inline std::string at_value(const TextSource& source, const gemmi::cif::Item& it
     throw InputError(at_value(source, item, message, value));
 }
 
-// Of a column that the table has.
+// The table must have the column.
 [[noreturn]] inline void fail_at_value(const TextSource& source, const gemmi::cif::Table::Row& row, std::size_t column,
                                        const std::string& message) {
     const auto place = static_cast<std::size_t>(row.tab.positions.at(column));
@@ -63,16 +63,16 @@ inline std::string_view without_quotes(std::string_view value) {
     return quoted ? value.substr(1, value.size() - 2) : value;
 }
 
-// The number that a value is, perhaps in quotes; not finite where it is none.
+// The number of a value, perhaps in quotes; not finite if it is none.
 inline double number_in(const std::string& value) {
     const double number = gemmi::cif::as_number(value);
     return std::isfinite(number) ? number : gemmi::cif::as_number(gemmi::cif::as_string(value));
 }
 
-// Whether the value says that there is no number: ? or a point, or what programs write for it (csv_values.hpp).
+// Whether the value means a missing number: ? or a point, or programs' words for that (csv_values.hpp).
 inline bool is_without_number(const std::string& value) { return gemmi::cif::is_null(value) || is_missing(without_quotes(value)); }
 
-// The text of a value of a table that may lack it; "" where it does, or says ? or a point.
+// The text of a value; "" if the table lacks it, or for ? and a point.
 inline std::string_view text_of(const gemmi::cif::Table::Row& row, std::size_t column) {
     return row.has2(column) ? without_quotes(row[column]) : "";
 }

@@ -8,11 +8,11 @@
 
 namespace sphereview {
 
-// The table of a crystal's atoms, not ok() where the block has none.
+// The table of a crystal's atoms; not ok() if the block has none.
 gemmi::cif::Table crystal_atoms(gemmi::cif::Block& block);
 
-// The atoms of that table as they are written, and their images by symmetry within the cell, each place once. Of alternatives
-// (disorder groups) the fullest is kept. Throws as SceneFormat::read.
+// The atoms of that table, and their images by symmetry within the cell, each place once. Keeps the fullest of alternatives
+// (disorder groups). Throws as SceneFormat::read.
 SphereData read_crystal(const TextSource& source, gemmi::cif::Table& atoms, const DataOptions& options);
 
 }  // namespace sphereview

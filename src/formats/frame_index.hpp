@@ -1,4 +1,4 @@
-// Where the frames of a large file stand, kept between runs: so its last frame is reached as quickly as its first.
+// Keeps the places of a large file's frames between runs, so its last frame is reached as quickly as its first.
 #pragma once
 
 #include <cstddef>
@@ -22,16 +22,16 @@ struct FramePlace {
 
 struct FrameIndex {
     std::vector<FramePlace> frames{};  // from the first one on, without a gap
-    // Behind the last of them.
+    // Behind the last frame.
     TextPosition end_position{};
     std::size_t of_first = 0;
     GzipPlaces packed{};  // of a packed file
 };
 
-// What was kept of the file; nothing where there is none of use.
+// The file's kept index; nothing if there is no valid one.
 std::optional<FrameIndex> read_frame_index(const FileStamp& stamp);
 
-// Keeps the index, as keep_finding() does.
+// Keeps the index, as keep_finding().
 void keep_frame_index(const FileStamp& stamp, const FrameIndex& index) noexcept;
 
 void forget_frame_index(const FileStamp& stamp) noexcept;

@@ -1,4 +1,4 @@
-// The frames of a file, one after the other: a trajectory is read in one pass and never in memory whole.
+// Reads the frames of a file one after the other: a trajectory is read in one pass and is never in memory as a whole.
 #pragma once
 
 #include <cstddef>
@@ -16,41 +16,39 @@
 
 namespace sphereview {
 
-// Reads what a stream begins with, and tells its format by that. Throws InputError.
+// Reads the beginning of a stream, and tells the format by that. Throws InputError.
 const SceneFormat& format_of_stream(InputStream& stream, const DataOptions& options);
 
-// Of formats that step over frames (scene_format.hpp) only a part of the text is in memory, and the place of each frame that was
-// passed is remembered; of the other formats, and of pipes, all that was read. A packed file is unpacked from the last place before
-// the frame that was remembered, of one every few megabytes (base/gzip_places.hpp).
+// For formats that step over frames (scene_format.hpp) only a part of the text is in memory, and the place of each passed frame is
+// remembered; for other formats, and pipes, all that was read is in memory. A packed file is unpacked from the last remembered
+// place before the frame; there is one every few megabytes (base/gzip_places.hpp).
 class FrameReader {
 public:
-    // Opens `path`, or standard input for "-", and tells its format. `frame` and `part` of `options` are not looked at. Throws
-    // InputError.
+    // Opens `path`, or standard input for "-", and tells its format. Ignores `frame` and `part` of `options`. Throws InputError.
     FrameReader(const std::string& path, DataOptions options);
-    // Keeps what was found for later ones (frame_index.hpp), where that took long.
+    // Keeps the places of frames for later runs (frame_index.hpp), if finding them took long.
     ~FrameReader();
     FrameReader(FrameReader&&) noexcept = default;
     FrameReader& operator=(FrameReader&&) = delete;
 
     const std::string& name() const { return stream_.name(); }
     const SceneFormat& format() const { return format_; }
-    // Of a long file about which something may be kept (kept_findings.hpp).
+    // A long file's stamp, for kept findings (kept_findings.hpp).
     const std::optional<FileStamp>& stamp() const { return stamp_; }
-    // From now on given to points, instead of one that is made of each frame's distances.
+    // From now on gives points this radius, instead of one made of each frame's distances.
     void set_radius_of_points(double radius) { options_.radius_of_points = radius; }
-    // Called now and then with the part of the file that was passed, 0..1; not of pipes.
+    // Calls `watcher` now and then with the passed part of the file, 0..1; not for pipes.
     void watch(std::function<void(double)> watcher) { watcher_ = std::move(watcher); }
 
-    // How many frames there are, `enough` at most: it goes no further. A fault behind the first frame ends the file there. Throws
-    // InputError.
+    // The number of frames, counted up to `enough`. A fault behind the first frame ends the file there. Throws InputError.
     std::int64_t count(std::int64_t enough = most_frames);
-    // That fault, once frames up to it were counted; "" where none was met.
+    // That fault, once frames up to it were counted; "" if none was met.
     const std::string& fault() const { return fault_; }
-    // Whether more follows it in the text, which is damaged there and not only cut off; also where a frame up to there is cut off
-    // and others follow.
+    // Whether more text follows that fault, so that the file is damaged and not only cut off; also if a frame up to there is cut
+    // off and others follow.
     bool is_damaged() const { return is_damaged_; }
 
-    // The frame's spheres. Throws InputError, also where the file has no such frame, and MemoryError.
+    // The frame's spheres. Throws InputError, also if the file has no such frame, and MemoryError.
     SphereData read(std::int64_t frame);
 
     static constexpr std::int64_t most_frames = std::int64_t{1} << 62;
@@ -78,22 +76,22 @@ private:
     InputStream stream_;
     SceneFormat format_{};
     std::function<void(double)> watcher_{};
-    std::uint64_t window_ = 0;  // where in the text the stream's window begins
+    std::uint64_t window_ = 0;  // the text's place where the stream's window begins
     std::uint64_t end_ = 0;     // of the frames found
     TextPosition end_position_{};
     std::size_t of_first_ = 0;
     std::vector<FramePlace> places_{};
-    std::size_t head_of_ = 0;  // PartOfFile::of_first that this is for
+    std::size_t head_of_ = 0;  // the PartOfFile::of_first of head_
     std::string head_{};
-    std::optional<FileStamp> stamp_{};  // where an index may be kept
+    std::optional<FileStamp> stamp_{};  // if an index may be kept
     std::size_t from_index_ = 0;        // places
-    std::uint64_t known_end_ = 0;       // of what the kept index has, or would have
-    bool is_whole_ = false;             // the one frame is the whole text, and no part of it
+    std::uint64_t known_end_ = 0;       // the end of the frames that the kept index has, or would have
+    bool is_whole_ = false;             // the single frame is the whole text
     bool found_all_ = false;
     std::string fault_{};
     bool is_damaged_ = false;
-    std::optional<std::size_t> end_marks_{};  // bytes of them, once the text's end was read
-    // Of a format that is only read whole: how many there are, and the last that was read, with the place behind it.
+    std::optional<std::size_t> end_marks_{};  // their bytes, once the text's end was read
+    // For a format that is only read whole: the number of frames, and the last one that was read, with the place behind it.
     std::optional<std::int64_t> frames_{};
     std::optional<std::int64_t> cut_frame_{};
     std::int64_t last_frame_ = 0;

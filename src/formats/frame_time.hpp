@@ -1,4 +1,4 @@
-// When a frame is, as far as its file says so.
+// The time of a frame in its file.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,14 @@ namespace sphereview {
 
 struct FrameTime {
     double value = 0.0;  // finite
-    std::string text{};  // the same, as the file has it: "0.500"
-    std::string unit{};  // "ps", "steps"; "" where nobody knows
+    std::string text{};  // as in the file: "0.500"
+    std::string unit{};  // "ps", "steps"; "" if unknown
 };
 
-// Nothing for a word that is no finite number.
+// Nothing if `word` is not a finite number.
 std::optional<FrameTime> frame_time(std::string_view word, std::string_view unit);
 
-// Of a title that GROMACS has written: "Water t=   0.50000 step= 250", in picoseconds.
+// The time in GROMACS's title "Water t= 0.50000 step= 250", in picoseconds.
 std::optional<FrameTime> time_in_title(std::string_view title);
 
 }  // namespace sphereview

@@ -1,6 +1,6 @@
-// What was found out of a large file, kept between runs: so it is not looked for again. Each finding is a file in the user's folder
-// for such things (base/user_folders.hpp); they are few and of a limited size. They save time and no more: one that is damaged, or
-// of a file that has changed, counts for nothing, and where none can be written there is none.
+// Keeps findings about large files between runs. Each finding is a file in the user's state folder (base/user_folders.hpp); their
+// number and size are limited. They only save time: a finding that is damaged, or of a file that has changed, is ignored, and
+// failures to write are, too.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +13,9 @@
 
 namespace sphereview {
 
-// What tells whether a file is still the one that it was.
+// Tells whether a file has changed.
 struct FileStamp {
-    std::string file{};  // as file_identity() has it
+    std::string file{};  // file_identity()
     std::string format{};
     std::uint64_t size = 0;
     std::int64_t time = 0;  // of the last change, in the file system's units
@@ -24,27 +24,27 @@ struct FileStamp {
     bool operator==(const FileStamp&) const = default;
 };
 
-// Nothing where it is no regular file, or one that cannot be looked at.
+// Nothing if the file is not regular or not readable.
 std::optional<FileStamp> stamp_of(const std::string& path, std::string_view format);
 
 // A kind of findings, and its limits.
 struct FindingKind {
-    std::string_view ending{};     // of its files' names
-    std::size_t longest = 0;       // bytes of one
-    std::size_t most = 0;          // of them
-    std::uint64_t most_bytes = 0;  // of all of them
+    std::string_view ending{};     // of the files' names
+    std::size_t longest = 0;       // bytes of a finding
+    std::size_t most = 0;          // number of findings
+    std::uint64_t most_bytes = 0;  // bytes of all findings
 };
 
-// What was kept of the file as the answer to the question; nothing where there is none of use.
+// The kept answer to a question about the file; nothing if there is no valid one.
 std::optional<std::string> read_finding(const FindingKind& kind, const FileStamp& stamp, const std::string& question = "");
 
-// Keeps the answer instead of what was kept, whole or not at all, and removes the oldest others beyond the limits. Not where it is
-// too long, or where the file was changed a moment ago, so that a further change would not show.
+// Replaces the kept answer, whole or not at all, and removes the oldest findings beyond the limits. Keeps nothing if the answer is
+// too long, or if the file was changed a moment ago, so that a further change would not show.
 void keep_finding(const FindingKind& kind, const FileStamp& stamp, const std::string& question, std::string_view answer) noexcept;
 
 void forget_finding(const FindingKind& kind, const FileStamp& stamp, const std::string& question = "") noexcept;
 
-// Whole numbers, seven bits a byte, the low ones first, and texts, each behind its length.
+// Writes whole numbers, seven bits a byte, the low ones first, and texts with their lengths.
 class KeptWriter {
 public:
     void number(std::uint64_t value) {
@@ -61,7 +61,7 @@ private:
     std::string bytes_;
 };
 
-// Throws InputError where the bytes end too early.
+// Throws InputError if the bytes end too early.
 class KeptReader {
 public:
     explicit KeptReader(std::string_view bytes) : bytes_(bytes) {}
@@ -76,7 +76,7 @@ public:
         throw InputError("a number that is too long");
     }
     std::string text() { return std::string(take(number())); }
-    // Of things that take a byte or more each.
+    // A number of things that take a byte or more each.
     std::size_t count() {
         const std::uint64_t value = number();
         if (value > bytes_.size()) throw InputError("a count that is too large");

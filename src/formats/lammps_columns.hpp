@@ -1,4 +1,4 @@
-// The columns of LAMMPS's dumps in text.
+// The columns of LAMMPS's text dumps.
 #pragma once
 
 #include <algorithm>
@@ -23,21 +23,20 @@ struct DumpColumn {
 // The columns that are drawn, from left to right.
 struct DumpColumns {
     std::vector<DumpColumn> columns{};
-    std::vector<PropertyColumn> properties{};  // all but the places that are drawn
+    std::vector<PropertyColumn> properties{};  // all but the drawn places
     std::array<bool, 3> scaled{};              // x, y and z are parts of the box's edges
 
     bool has(DumpField field) const { return std::ranges::find(columns, field, &DumpColumn::field) != columns.end(); }
     bool is_scaled() const { return std::ranges::find(scaled, true) != scaled.end(); }
-    // Where z is missing it is 0, whatever the others are.
+    // Whether some axes are scaled and others not. A missing z is 0.
     bool is_mixed() const { return scaled[0] != scaled[1] || (has(DumpField::z) && scaled[1] != scaled[2]); }
 };
 
-// What the head of the atoms, `ITEM: ATOMS id type x y z`, names; old dumps name nothing.
+// The names in the head of the atoms, `ITEM: ATOMS id type x y z`; none in old dumps.
 std::vector<std::string_view> names_of_columns(std::string_view head);
 
-// Which columns the head of the atoms names, or, in old dumps, the atoms' lines show. Of several kinds of places the first is taken
-// of which all are there: as they are, in parts of the box, and the same two without the jumps at its walls; else of each axis the
-// first. Throws InputError where there are no places.
+// The columns by the head of the atoms, or, in old dumps, by the atoms' lines. Takes the first complete kind of places: plain, in
+// parts of the box, and these two without jumps at its walls; else each axis' first. Throws InputError if there are no places.
 DumpColumns dump_columns(const TextSource& source, std::string_view head, const AtomLines& lines);
 
 }  // namespace sphereview

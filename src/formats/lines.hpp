@@ -1,4 +1,4 @@
-// What the readers of all formats share: texts made of lines and words, read on all cores, and where in them a fault stands.
+// Shared by the readers of all formats: texts of lines and words, read on all cores, and the places of faults in them.
 #pragma once
 
 #include <algorithm>
@@ -22,11 +22,11 @@ namespace sphereview {
 
 inline constexpr std::string_view white_space = " \t\n\v\f\r";
 
-// Something is wrong in a text.
+// A fault in a text.
 struct TextFault : InputError {
     TextFault(const std::string& message, std::size_t place) : InputError(message), offset(place) {}
 
-    std::size_t offset;  // where, from the text's beginning
+    std::size_t offset;  // of the fault, from the text's beginning
 };
 
 // A text ends where more of it was expected.
@@ -34,7 +34,7 @@ struct TextEnds : TextFault {
     using TextFault::TextFault;
 };
 
-// A piece of a file: what messages call the file, and where in it the text begins.
+// A piece of a file, with the file's name in messages and the piece's place in the file.
 struct TextSource {
     std::string name;
     std::string_view text;
@@ -42,7 +42,7 @@ struct TextSource {
 
     // "NAME:LINE:COLUMN: " of byte `offset`.
     std::string place(std::size_t offset) const;
-    // Of a piece of the text.
+    // Of the beginning of a piece of the text.
     std::string place(std::string_view piece) const { return place(offset_of(piece)); }
     std::size_t offset_of(std::string_view piece) const { return static_cast<std::size_t>(piece.data() - text.data()); }
     // Throws TextFault "NAME:LINE:COLUMN: MESSAGE".
@@ -51,44 +51,44 @@ struct TextSource {
     [[noreturn]] void fail_at_end(const std::string& expected) const;
     // Throws TextFault "NAME:LINE:COLUMN: found 'PIECE', expected EXPECTED".
     [[noreturn]] void fail(std::string_view piece, const std::string& expected) const;
-    // Throws TextFault "NAME:LINE:COLUMN: MESSAGE" of where a piece of the text begins.
+    // Throws TextFault "NAME:LINE:COLUMN: MESSAGE" with the place where a piece of the text begins.
     [[noreturn]] void fail_at(std::string_view piece, const std::string& message) const;
-    // The same of where it ends: "the line ends, expected EXPECTED".
+    // The same with the place where it ends: "the line ends, expected EXPECTED".
     [[noreturn]] void fail_behind(std::string_view line, const std::string& expected) const;
 };
 
 // The pieces of a line between runs of separators.
 std::vector<std::string_view> words_of(std::string_view line, std::string_view separators = white_space);
 
-// Appends the words of a line to `words`, until these are `most`.
+// Appends words of a line to `words`, up to `most` in all.
 void split_line(std::string_view line, std::size_t most, std::vector<std::string_view>& words);
 
 // Whether a word is a number, by parse_any_double(), or digits alone.
 bool is_number(std::string_view word);
 bool is_digits(std::string_view word);
 
-// The text of a file, without what marks its beginning or its end.
+// The text of a file without a byte-order mark and marks of the end.
 inline std::string_view text_of_file(std::string_view content) { return without_end_marks(without_byte_order_mark(content)); }
 
-// What stands behind the last line end of a text: "" where it ends with one.
+// The text behind the last line end; "" if the text ends with one.
 std::string_view last_line(std::string_view text);
 
-// Whether nothing stands behind the line of byte `offset`.
+// Whether the line of byte `offset` is the last one.
 bool is_in_last_line(std::string_view text, std::size_t offset);
 
-// What stands in columns [begin, end) of a line, from 0, without blanks; "" behind the line's end.
+// The text in columns [begin, end) of a line, from 0, without blanks; "" behind the line's end.
 std::string_view in_columns(std::string_view line, std::size_t begin, std::size_t end);
 
 // The text behind a byte-order mark, white space and lines of comment that begin with '#'.
 std::string_view behind_comments(std::string_view text);
 
-// `bytes` with each that is no part of a UTF-8 sequence replaced by U+FFFD: names must be UTF-8.
+// `bytes` with U+FFFD for each byte outside a UTF-8 sequence: names must be UTF-8.
 std::string as_utf8(std::string_view bytes);
 
-// How much of a text one core reads at a time.
+// The bytes of text that a core reads at a time.
 inline constexpr std::size_t usual_line_piece = std::size_t{1} << 16;
 
-// The character that ends the lines of a text: LF, also behind a CR, or CR where there is no LF.
+// The character that ends the lines of a text: LF, or CR if there is no LF.
 inline char line_end_of(std::string_view text) {
     return text.find('\n') == std::string_view::npos && text.find('\r') != std::string_view::npos ? '\r' : '\n';
 }
@@ -96,7 +96,7 @@ inline char line_end_of(std::string_view text) {
 // Steps from line to line, as fast as memory.
 class LineWalker {
 public:
-    // Begins at `offset`, where a line begins.
+    // `offset`: the beginning of a line.
     LineWalker(std::string_view text, char line_end, std::size_t offset = 0) : text_(text), line_end_(line_end), offset_(offset) {}
 
     bool at_end() const { return offset_ >= text_.size(); }
@@ -104,7 +104,7 @@ public:
     // Where the next line begins.
     std::size_t offset() const { return offset_; }
 
-    // Steps over a line and returns it, without what ends it. Not at_end().
+    // Steps over a line and returns it without its line end. Not at_end().
     std::string_view step() {
         const std::size_t begin = offset_;
         const void* end = std::memchr(text_.data() + begin, line_end_, text_.size() - begin);
@@ -124,23 +124,23 @@ private:
 // Without a branch, so that loops over bytes become SIMD.
 constexpr bool is_space(char c) { return (c == ' ') | (static_cast<unsigned char>(c - '\t') <= '\r' - '\t'); }
 
-// Walks through the numbers of a text, and says where it stands when one is wrong. `expected`, here, is a function that describes
-// what should stand there: its words are only made for a message.
+// Reads the numbers of a text, with messages that have the place of a fault. `expected`: a function that describes the expected
+// token, called only for a message.
 class TokenReader {
 public:
-    // What reads a number that read_double() does not read whole.
+    // Reads a number that read_double() does not read whole.
     using Parse = NumberFault (*)(std::string_view token, double& value);
 
-    // Begins at the first token at or after `offset`, which lies between two tokens.
+    // Begins at the first token from `offset` on, which must not be inside a token.
     TokenReader(const TextSource& source, std::size_t offset, Parse parse = parse_double)
         : TokenReader(source, source.text.substr(offset), "the text ends", parse) {}
-    // Of one line of the text.
+    // Reads one line of the text.
     TokenReader(const TextSource& source, std::string_view line, Parse parse = parse_double)
         : TokenReader(source, line, "the line ends", parse) {}
 
     bool at_end() const { return next_ == end_; }
 
-    // Of the next token, or of the text's end.
+    // The offset of the next token, or of the text's end.
     std::size_t offset() const { return static_cast<std::size_t>(next_ - source_.text.data()); }
 
     // An integer from `low` to `high`.
@@ -175,8 +175,7 @@ public:
         return next.value;
     }
 
-    // A number of what is only decoration: `instead` where what programs write for none stands there (stands_for_none()), or one
-    // that is beyond a double.
+    // A number for decoration only: `instead` for a missing number (stands_for_none()), or for one beyond a double.
     template <typename Expected>
     double number_or(double instead, const Expected& expected) {
         const NextNumber next = next_number(expected);
@@ -188,7 +187,7 @@ public:
         return is_any ? next.value : instead;
     }
 
-    // A finite number; false, with 0 in `value`, where what programs write for none stands there (stands_for_none()).
+    // A finite number; false, with 0 in `value`, for a missing number (stands_for_none()).
     template <typename Expected>
     bool number_if_any(const Expected& expected, double& value) {
         const NextNumber next = next_number(expected);
@@ -211,7 +210,7 @@ public:
         return next;
     }
 
-    // What is not read yet.
+    // The unread text.
     std::string_view rest() const { return {next_, static_cast<std::size_t>(end_ - next_)}; }
 
     // The next token; "" at the end.
@@ -229,13 +228,13 @@ public:
     }
 
 private:
-    // end_found: how messages call the end.
+    // end_found: the end in messages.
     TokenReader(const TextSource& source, std::string_view text, const char* end_found, Parse parse)
         : source_(source), next_(text.data()), end_(text.data() + text.size()), end_found_(end_found), parse_(parse) {
         skip_space();
     }
 
-    // What the next token is as a number; with a fault the value says nothing.
+    // The next token as a number; `value` is undefined with a fault.
     struct NextNumber {
         double value = 0.0;
         const char* end = nullptr;
@@ -280,7 +279,7 @@ private:
     Parse parse_;
 };
 
-// Calls work(i) for each i below `count`, on all cores; of several exceptions that of the lowest i is thrown here.
+// Calls work(i) for each i below `count`, on all cores. Throws the exception of the lowest i.
 template <typename Work>
 void parallel_in_order(std::size_t count, const Work& work) {
     std::vector<std::exception_ptr> faults(count);

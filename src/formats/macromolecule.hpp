@@ -1,4 +1,4 @@
-// What PDB and mmCIF have in common: atoms of residues of chains, some of them in alternative places.
+// Shared by PDB and mmCIF: atoms of residues of chains, some in alternative places.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace sphereview {
 
-// What PDB and mmCIF say of an atom as text, beside what is drawn.
+// Texts about an atom, beside the drawn values.
 struct AtomTexts {
     std::string_view b_factor{};
     std::string_view occupancy{};
@@ -28,16 +28,16 @@ struct MoleculeAtom {
     std::string_view residue{};      // "ALA"
     std::string residue_number{};    // with the insertion code: "52A"
     std::string_view atom{};         // "CA"
-    std::string_view alternative{};  // "A", "B"; "" of an atom with one place
-    double occupancy = 1.0;          // how much of the atom is there; finite
-    double radius = 0.0;             // its own; 0: that of the element
+    std::string_view alternative{};  // "A", "B"; "" for an atom with one place
+    double occupancy = 1.0;          // the part of the atom at this place; finite
+    double radius = 0.0;             // 0: the element's
     AtomTexts texts{};               // only where MoleculeScene::wants_texts()
 };
 
-// An atom of which the file may hold other places.
+// An atom that may have other places in the file.
 struct AlternativePlace {
     std::size_t sphere = 0;
-    std::size_t run = 0;  // of the atoms of one residue that stand together
+    std::size_t run = 0;  // of consecutive atoms of one residue
     std::string_view chain{};
     std::string number{};
     std::string_view residue{};
@@ -46,16 +46,16 @@ struct AlternativePlace {
     double occupancy = 1.0;
 };
 
-// The spheres of places that are not kept, ascending: all places at once would overlap. The alternatives of a residue that have an
-// atom in common are a group, and each group is chosen for itself: the alternative with the highest occupancy, the first of
-// several, as ChimeraX does. What it lacks comes from the next, unless that is another residue.
+// The spheres of the places that are not kept, ascending: all places together would overlap. Alternatives of a residue with an atom
+// in common form a group. Of each group the alternative with the highest occupancy is kept, the first of several, as in ChimeraX.
+// Atoms that it lacks come from the next one, unless that is another residue.
 std::vector<std::size_t> surplus_places(std::vector<AlternativePlace> places);
 
-// Makes spheres of atoms, called "A/ALA 52A/CA" where they are not too many, each in one place.
+// Makes spheres of atoms, each in one place, with names such as "A/ALA 52A/CA" if there are not too many.
 class MoleculeScene {
 public:
-    // `atoms`: how many will be added, of which the texts stay where they are.
-    // `name`: of the file, for messages. has_radii: it says them itself, instead of occupancies and B factors. Throws MemoryError.
+    // `atoms`: how many will be added; their texts must stay in place. `name`: the file's, for messages. has_radii: the file has
+    // radii instead of occupancies and B factors. Throws MemoryError.
     MoleculeScene(std::size_t atoms, const DataOptions& options, const std::string& name, bool has_radii = false);
 
     bool wants_texts() const { return wants_texts_; }
@@ -69,17 +69,17 @@ private:
     DataOptions options_;
     Scene scene_{};
     std::vector<AlternativePlace> places_{};
-    std::vector<std::size_t> virtual_sites_{};  // their spheres
+    std::vector<std::size_t> virtual_sites_{};  // numbers of their spheres
     std::string name_;
     PropertyTable properties_;
     bool wants_texts_;
-    // Of the residue that goes on:
+    // The present residue:
     std::string_view chain_{};
     std::string number_{};
     std::size_t run_ = 0;
 };
 
-// Throws InputError for a file without an atom; `expected` says what one looks like.
+// Throws InputError for a file without atoms. `expected`: what an atom looks like.
 [[noreturn]] void fail_without_atoms(const TextSource& source, const std::string& expected);
 
 }  // namespace sphereview

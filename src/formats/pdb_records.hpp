@@ -1,4 +1,4 @@
-// The records of PDB, and of formats that borrow them.
+// The records of PDB, also for formats that use them.
 #pragma once
 
 #include <cstddef>
@@ -18,36 +18,35 @@ namespace sphereview {
 
 inline bool is_pdb_atom(std::string_view line) { return line.starts_with("ATOM") || line.starts_with("HETATM"); }
 
-// A model that no ENDMDL ends before the next one begins, as where a run was appended to what an ended program had left.
+// A model without ENDMDL before the next one, as when a run is appended to the output of a program that was ended.
 struct InterruptedModel {
     std::int64_t frame = 0;
-    std::size_t place = 0;  // of the record MODEL behind it
+    std::size_t place = 0;  // of the next record MODEL
 };
 
-// Where the atoms of the wanted frame stand. Frames are models, or what END separates, as some programs do.
+// The place of the wanted frame's atoms. Frames are models, or, from some programs, separated by END.
 struct PdbFrame {
     std::int64_t frames = 0;  // in the file
-    bool has_atoms = false;   // in any
+    bool has_atoms = false;   // in any frame
     std::size_t begin = 0;    // of its records
     std::size_t end = 0;
     std::size_t count = 0;  // of its atoms
-    std::size_t next = 0;   // where the frame behind it begins, with the title that has its time; 0: there is none
+    std::size_t next = 0;   // the beginning of the next frame, with the title that has its time; 0: none
     std::optional<FrameTime> time{};
-    std::optional<InterruptedModel> interrupted{};  // the first of those that were looked at
-    bool ends_in_model = false;                     // the text's last frame is a model that nothing ends
+    std::optional<InterruptedModel> interrupted{};  // the first one found
+    bool ends_in_model = false;                     // the text's last frame is a model without an end
 };
 
-// By `part` it begins behind some frames, which count as looked at.
+// `part`: begins behind some frames, which count.
 PdbFrame find_pdb_frame(std::string_view text, std::int64_t wanted, const PartOfFile& part);
 
-// What is wrong where the text ends within its last model: "NAME:LINE:COLUMN: the text ends, expected ..."; else "". An only model
-// needs an end, too.
+// The fault of a text that ends within its last model, also the only one: "NAME:LINE:COLUMN: the text ends, expected ..."; else "".
 std::string fault_of_last_model(const TextSource& source, const PdbFrame& frame);
 
-// The warning of a model that is interrupted; "" where there is none.
+// The warning about an interrupted model; "" for none.
 std::string fault_of_interrupted_model(const TextSource& source, const PdbFrame& frame);
 
-// Reads the wanted frame: atom_of(line, wants_texts) makes a MoleculeAtom of each of its records. has_radii: as MoleculeScene's.
+// Reads the wanted frame. atom_of(line, wants_texts) makes a MoleculeAtom of a record. has_radii: MoleculeScene's.
 template <typename AtomOf>
 SphereData read_pdb_frame(const TextSource& source, const DataOptions& options, bool has_radii, const AtomOf& atom_of) {
     const PdbFrame frame = find_pdb_frame(source.text, options.frame, options.part);
@@ -62,7 +61,7 @@ SphereData read_pdb_frame(const TextSource& source, const DataOptions& options, 
     data.frames = frame.frames;
     data.next_frame = frame.next;
     data.time = frame.time;
-    // A program that was ended while it wrote leaves half a line in the last frame.
+    // A program that was ended in the middle of a line leaves half of it.
     const std::string_view last = last_line(source.text);
     if (frame.end < source.text.size() && !options.part.stops && is_pdb_atom(last)) {
         try {
@@ -71,7 +70,7 @@ SphereData read_pdb_frame(const TextSource& source, const DataOptions& options, 
             data.fault = error.what();
         }
     }
-    // One that was ended between two lines leaves a model without its end.
+    // A program that was ended between two lines leaves a model without its end.
     if (data.fault.empty()) {
         std::string cut = fault_of_last_model(source, frame);
         if (!cut.empty() && frame.frames == 1) {

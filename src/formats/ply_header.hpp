@@ -1,4 +1,4 @@
-// What a PLY says that it holds.
+// The header of a PLY.
 #pragma once
 
 #include <cstddef>
@@ -22,18 +22,18 @@ constexpr bool is_whole(PlyType type) { return type < PlyType::float32; }
 
 struct PlyProperty {
     std::string_view name{};
-    PlyType type = PlyType::float32;      // of a list: that of its values
-    std::optional<PlyType> count_type{};  // of a list: that of the number of its values
+    PlyType type = PlyType::float32;      // of a list: its values'
+    std::optional<PlyType> count_type{};  // of a list: its length's
 };
 
-// What the file has `count` of: vertices, faces, or anything else.
+// An element of the file: vertices, faces, or anything else.
 struct PlyElement {
     std::string_view name{};
     std::size_t count = 0;  // as the file claims
     std::vector<PlyProperty> properties{};
 
     bool has_lists() const;
-    // In a binary file, without the values of lists.
+    // Bytes in a binary file, without the values of lists.
     std::size_t size() const;
 };
 
@@ -46,7 +46,7 @@ struct PlyHeader {
     std::size_t end = 0;                 // where the first element begins
 };
 
-// Reads the header that the text begins with. Throws InputError.
+// Reads the header at the beginning of the text. Throws InputError.
 PlyHeader read_ply_header(const TextSource& source);
 
 }  // namespace sphereview

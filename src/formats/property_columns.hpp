@@ -1,5 +1,5 @@
-// What readers share that keep more of a file than its spheres: columns of values, read in a walk of their own over the rows, so
-// that who asks for none pays nothing.
+// Shared by readers that keep properties: columns of values, read in a separate walk over the rows, which costs nothing if none is
+// wanted.
 #pragma once
 
 #include <cstddef>
@@ -16,11 +16,11 @@
 namespace sphereview {
 
 enum class PropertyKind {
-    found,      // whole numbers, numbers or words, as the values show
+    found,      // whole numbers, numbers or words, by the values
     real,       // numbers
-    whole,      // whole numbers, or numbers where one is none
+    whole,      // whole numbers, or numbers if one is not whole
     words,      //
-    element,    // words that become the element's symbol where it is known
+    element,    // words, or the element's symbol if known
     magnitude,  // the length of the vector of three columns from `place` on
 };
 
@@ -28,38 +28,38 @@ enum class PropertyKind {
 struct PropertyColumn {
     std::string name;
     PropertyKind kind = PropertyKind::found;
-    std::size_t place = 0;  // among the fields of a row, from 0
+    std::size_t place = 0;  // of the row's field, from 0
 };
 
-// What a file holds of its spheres.
+// The properties of a file.
 struct FileProperties {
-    std::vector<std::string> names{};  // of all that there are
-    std::vector<Property> kept{};      // that were asked for
+    std::vector<std::string> names{};  // of all properties
+    std::vector<Property> kept{};      // the wanted properties
     std::vector<std::string> warnings{};
 };
 
-// What becomes of a word: "C" of "C1", "6" and "c". The word itself where no element is known.
+// The symbol of an element's word: "C" for "C1", "6" and "c". The word itself for an unknown element.
 std::string element_in_words(std::string_view species);
 
-// Adds a column, whose name becomes UTF-8 and gets " 2" behind it where another has it. None without a name, nor beyond
-// most_property_columns: nobody chooses among more.
+// Adds a column. The name becomes UTF-8, with " 2" added if another column has it. Ignores columns without a name, and those beyond
+// most_property_columns.
 void add_column(std::vector<PropertyColumn>& columns, std::string_view name, PropertyKind kind, std::size_t place);
 inline constexpr std::size_t most_property_columns = 1000;
 
-// Whether a property of so many spheres is asked for.
+// Whether a property of so many spheres is wanted.
 bool is_wanted(const DataOptions& options, std::string_view name, std::size_t spheres);
 
-// Gives a sphere of a property another value; of a category the word with that number. False where the property cannot hold the
-// number: then the sphere has no value, or, of a category, the one that it had.
+// Gives a sphere another value; in a category the word with that number. False if the property cannot hold the number: then the
+// sphere has no value, or keeps its word.
 bool set_number(Property& property, std::size_t sphere, double value);
 
-// The values of one column while they are read, a sphere after the other.
+// Collects the values of a column, sphere by sphere.
 class PropertyValues {
 public:
     PropertyValues(const PropertyColumn& column, std::size_t count);
 
     const PropertyColumn& column() const { return column_; }
-    // Whether words came behind numbers: then all must be given once more.
+    // Whether words came behind numbers, so that all values must be added again.
     bool needs_words() const { return needs_words_; }
     bool has_too_many_words() const { return labels_.words.size() > most_words; }
     void begin_again();
@@ -67,7 +67,7 @@ public:
     void add(std::string_view text, Commas commas);
     void add(double value) { numbers_.push_back(value); }
 
-    // As many words as a category may have; what has more is none.
+    // The most words of a category.
     static constexpr std::size_t most_words = 65'536;
 
     Property take();
@@ -78,31 +78,31 @@ private:
 
     PropertyColumn column_;
     std::size_t count_;
-    bool is_whole_;  // so far all are whole numbers
-    bool is_words_;  // of words
+    bool is_whole_;  // all numbers so far are whole
+    bool is_words_;  // a column of words
     bool needs_words_ = false;
     std::vector<std::int32_t> wholes_{};
     std::vector<double> numbers_{};
     Labels labels_{};
-    std::map<std::string, std::uint32_t, std::less<>> word_numbers_{};  // by what stands in the file
+    std::map<std::string, std::uint32_t, std::less<>> word_numbers_{};  // by the file's word
     std::string last_word_{};
     std::uint32_t last_number_ = 0;
 };
 
-// Those of the columns that are asked for, while they are read.
+// Collects the values of the wanted columns.
 class PropertyTable {
 public:
-    // `file`: what messages call it. commas: what they are in numbers.
+    // `file`: its name in messages. commas: their meaning in numbers.
     PropertyTable(const std::vector<PropertyColumn>& columns, const DataOptions& options, std::size_t count,
                   const std::string& file, Commas commas = Commas::none);
 
-    // Whether the rows are to be walked through, perhaps once more: next_walk() before each.
+    // Whether a walk, or another one, over the rows is needed. Call next_walk() before each.
     bool wants_rows() const;
     void next_walk();
-    // Behind the last place that is looked at.
+    // One more than the last place that is read.
     std::size_t places() const { return places_; }
 
-    // The next sphere's row: text_at(place) gives a field, "" where there is none.
+    // Adds the next sphere's row. text_at(place): a field, or "".
     template <typename TextAt>
     void add(const TextAt& text_at) {
         for (PropertyValues& values : values_) {
@@ -116,7 +116,7 @@ public:
         }
     }
 
-    // Columns that hold nothing at all are none.
+    // The properties, without columns that have no values.
     FileProperties take();
 
 private:
@@ -131,7 +131,7 @@ private:
     std::size_t places_ = 0;
 };
 
-// Reads them: walk(table) walks through all rows and calls table.add().
+// Reads the wanted columns. walk(table) calls table.add() for all rows.
 template <typename Walk>
 FileProperties read_properties(const std::vector<PropertyColumn>& columns, const DataOptions& options, std::size_t count,
                                const std::string& file, const Walk& walk, Commas commas = Commas::none) {
@@ -143,7 +143,7 @@ FileProperties read_properties(const std::vector<PropertyColumn>& columns, const
     return table.take();
 }
 
-// Moves them to where they belong. The scene's spheres are those that the values are of.
+// Moves properties into `data`, whose scene has the spheres of these values.
 void add_properties(SphereData& data, FileProperties properties);
 
 }  // namespace sphereview

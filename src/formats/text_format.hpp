@@ -15,26 +15,26 @@
 
 namespace sphereview {
 
-// Reads a text as it comes in, on all cores. Memory grows with the text, not with the count that the text claims. First each core
-// counts the tokens that begin in its piece; then every piece knows its own spheres, and the pieces are read at once.
+// Reads a text as it comes in, on all cores. Memory grows with the text, not with the count that it claims. First each core counts
+// the tokens that begin in its piece; then each piece's spheres are known, and all pieces are read at once.
 class SphereTextReader {
 public:
-    // `size`: bytes of the whole text, where that is known.
+    // `size`: bytes of the whole text, if known.
     SphereTextReader(std::string name, TextPosition origin, std::optional<std::size_t> size, std::size_t piece = usual_line_piece)
         : name_(std::move(name)), place_(origin), size_(size), piece_(piece) {}
 
-    // How much memory a sphere will need, with what is made of it later; refusing at once beats failing late.
+    // A sphere's memory, including later uses, so that a scene too large is refused at once.
     void expect_bytes_per_sphere(std::size_t bytes) { bytes_per_sphere_ = bytes; }
 
-    // Reads the spheres that end inside `text`, which goes on where the last call's did; `last`: nothing follows. Returns how
-    // many bytes are done with: the next call's text begins with the others. A byte-order mark is skipped. Throws InputError
-    // "NAME:LINE:COLUMN: found ..., expected ..." for the first fault, and MemoryError when the spheres cannot fit.
+    // Reads the spheres that end inside `text`; `last`: nothing follows. Returns the number of bytes that are done; the next call's
+    // text begins with the others. Skips a byte-order mark. Throws InputError "NAME:LINE:COLUMN: found ..., expected ..." for the
+    // first fault, and MemoryError when the spheres cannot fit.
     std::size_t read(std::string_view text, bool last);
 
-    // How much of the spheres was read, 0..1.
+    // The part of the spheres that was read, 0..1.
     double fraction() const;
 
-    // All of them, when the last text was read.
+    // All spheres, after the last text.
     std::vector<Sphere> take_spheres() { return std::move(spheres_); }
 
 private:
@@ -44,7 +44,7 @@ private:
     Sphere read_sphere(TokenReader& reader, std::size_t index) const;
 
     std::string name_;
-    TextPosition place_;  // where the text of the next call begins
+    TextPosition place_;  // the beginning of the next call's text
     std::optional<std::size_t> size_;
     std::size_t piece_;
     std::size_t bytes_per_sphere_ = sizeof(Sphere);
@@ -56,7 +56,7 @@ private:
 // Reads the spheres of a whole text. Throws as SphereTextReader::read.
 std::vector<Sphere> parse_text_spheres(const TextSource& source);
 
-// The spheres as text that parse_text_spheres reads back bit for bit.
+// The spheres as text, which parse_text_spheres reads back bit for bit.
 std::string write_text_spheres(const std::vector<Sphere>& spheres);
 
 // The functions of the table of formats. Hidden spheres are not written.

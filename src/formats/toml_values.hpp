@@ -1,4 +1,4 @@
-// What the readers of the native format share: values, and where in the text they stand. For sources that may include toml++.
+// Shared by the readers of the native format: values, and their places in the text. For sources that may include toml++.
 #pragma once
 
 #include <toml++/toml.h>
@@ -21,16 +21,16 @@ namespace sphereview {
 struct TomlText {
     const std::string& name;
     std::string_view content;
-    std::vector<NumberLiteral> literals{};  // what the strings held that were emptied
+    std::vector<NumberLiteral> literals{};  // the content of strings that were emptied
 };
 
 [[noreturn]] void fail(const TomlText& document, const toml::source_position& place, const std::string& message);
 [[noreturn]] void fail(const TomlText& document, const toml::node& node, const std::string& message);
 
-// The byte at `place`: its column counts characters.
+// The byte at `place`, whose column counts characters.
 std::size_t offset_of(const TomlText& document, const toml::source_position& place);
 
-// What stands there, for a message: "a string" or the number itself.
+// The node for a message: "a string" or the number itself.
 std::string found(const toml::node& node);
 [[noreturn]] void wrong(const TomlText& document, const toml::node& node, const std::string& expected);
 
@@ -39,8 +39,7 @@ std::vector<const toml::table*> tables_in(const TomlText& document, const toml::
 
 std::string unknown_key(std::string_view key, const std::string& where, std::span<const std::string> known);
 
-// The text inside a string value, with its place in the file: where it begins, or, where escapes shift what follows them, that of
-// the whole value.
+// The text inside a string value, with its place in the file; with escapes, which shift the text, the place of the whole value.
 TextSource inside_string(const TomlText& document, const toml::value<std::string>& value);
 
 // A table whose every key must be known.
@@ -107,7 +106,7 @@ private:
     std::string where_;
 };
 
-// Reads [[property]] of a scene of so many spheres, in toml_properties.cpp.
+// Reads [[property]] of a scene of so many spheres; defined in toml_properties.cpp.
 std::vector<Property> read_properties(const TomlText& document, const toml::node& node, std::size_t spheres);
 
 }  // namespace sphereview
