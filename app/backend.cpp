@@ -11,7 +11,7 @@ namespace sphereview {
 namespace {
 
 bool hardware_ruled_out() {
-    // As Mesa reads it.
+    // Reads the variable as Mesa does.
     const char* value = std::getenv("LIBGL_ALWAYS_SOFTWARE");
     const std::string_view setting = value != nullptr ? value : "";
     return setting == "1" || setting == "true" || setting == "yes" || setting == "y" || setting == "t";

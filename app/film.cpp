@@ -161,7 +161,7 @@ void Film::start(const Image& first) {
     const std::lock_guard lock(mutex_);
     if (given_up_) throw Cancelled();
     const std::string& file = place_->temporary();
-    // As a path: ffmpeg takes what stands before a colon for a protocol.
+    // Written as a path: ffmpeg takes a word before a colon for a protocol.
     append(words, {"-y", path_from(file).is_absolute() ? file : "./" + file});
     encoder_ = std::make_unique<PipedProgram>(program_, words);
 }
@@ -229,7 +229,7 @@ InterruptibleFilm::~InterruptibleFilm() {
     try {
         say(film_.how_far());
     } catch (const std::bad_alloc&) {
-        // That memory ran out is said by who ends the command.
+        // The end of the command reports that memory ran out.
     }
 }
 

@@ -24,7 +24,7 @@ Stroke around(Stroke stroke, int by) {
     return stroke;
 }
 
-// Of a colour, so many percent.
+// `percent` of a colour.
 Rgb dimmed(const Rgb& color, int percent) {
     Rgb dim = color;
     for (std::uint8_t& part : dim) part = static_cast<std::uint8_t>(part * percent / 100);

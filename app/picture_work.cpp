@@ -131,7 +131,7 @@ Image PictureMaker::render(const Scene& scene, const DrawnSpheres& drawn, const 
             report.renderer = backend.description;
             report.passed_over = backend.passed_over;
             return render_picture(backend, scene, drawn, options, report.timings, report.facts, [&](double done) {
-                // They take long: people see why.
+                // Exact decisions take long, so the note counts them.
                 const auto exactly = static_cast<std::uint64_t>(report.facts.decisions.exactly);
                 watcher(done, exactly > 0 ? in_groups(exactly) + " exactly, " : "");
             });

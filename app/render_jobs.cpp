@@ -155,7 +155,7 @@ private:
         try {
             do_in_order(steps, threads, errands);
         } catch (const std::bad_alloc&) {
-            // Those that are delivered are done.
+            // The delivered pictures are done.
         }
         maker_.draw_by(nullptr);
         progress_.clear();

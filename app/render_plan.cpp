@@ -49,7 +49,7 @@ void require_placeholders(const std::string& pattern, const std::string& option)
     }
 }
 
-// Of several pictures the number of each must be in its name.
+// Names of several pictures must have their numbers.
 std::string usual_output(const RenderOptions& options) {
     return std::string(placeholder) + (options.frames.several() ? "-{frame:05}" : "");
 }

@@ -150,7 +150,7 @@ private:
         if (said_.insert(line).second) say(line);
     }
 
-    // Of what is being thrown.
+    // Reports the exception being handled.
     void say_failure(const std::string& scene) {
         const Failure failure = describe_current_exception(scene);
         progress_.clear();

@@ -79,7 +79,7 @@ void draw_trouble(const PanelContext& context, const Trouble& trouble, const Rec
     const float margin = 12.0F * context.scale;
     const float width = std::max(area.width - 2.0F * margin, 8.0F * ImGui::GetFontSize());
     ImGui::SetNextWindowPos({area.x + margin, top + margin});
-    // Its height is what the text needs, up to a part of the picture; the rest is scrolled.
+    // The window is as high as the text, up to a part of the picture; the rest is scrolled.
     ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, std::max(0.45F * area.height, 6.0F * ImGui::GetFontSize())});
     ImGui::PushStyleColor(ImGuiCol_Border, ImVec4(0.88F, 0.27F, 0.25F, 1.0F));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 2.0F * context.scale);

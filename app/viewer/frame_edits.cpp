@@ -68,7 +68,7 @@ std::optional<FrameChanges> redone_edits(ViewerState& state) {
     return with_others(changes_between(before, document.scene()), before.spheres.size(), edits.redone.value_or(edits.shared));
 }
 
-// As one step; whether there is anything to change.
+// Applies the changes as one step; returns whether there were any.
 bool give(ViewerState& state, const FrameChanges& changes) {
     Document& document = state.document;
     const std::uint64_t before = document.revision();

@@ -83,7 +83,7 @@ PointerShape shape_for(ImGuiMouseCursor cursor) {
     }
 }
 
-// Of all triangles: an ImDrawVert has no padding.
+// A hash of all triangles: an ImDrawVert has no padding.
 std::size_t hash_of(const ImDrawData& data) {
     std::size_t hash = 0;
     for (int i = 0; i < data.CmdListsCount; ++i) {

@@ -29,7 +29,7 @@ constexpr float lowest_picture = 100.0F;  // above the status bar
 // Where a tool's words lie over the picture, it has to be wide enough for them and for what they are about.
 constexpr float narrowest_under_tool = 280.0F;
 constexpr float narrowest_under_rays = 400.0F;  // the view from beside has to be seen beside their panel
-// Of the axes in the picture's corner, with their margin; and of the rays' panel, that it can be read.
+// Heights of the axes in the picture's corner, with their margin, and of the rays' panel, to be readable.
 constexpr float axes_height = 116.0F;
 constexpr float lowest_rays = 270.0F;
 // With the inspector open, the picture keeps this part of the window, and the inspector so much, as far as the side panel can

@@ -67,7 +67,7 @@ double least_part(const PictureState& state) {
     return std::min(smallest_scene, 0.5 * part_of_picture(state.scene.camera, state.bounds));
 }
 
-// As zoomed(), but the scene does not get lost in the distance.
+// As zoomed(), but keeps the scene from getting lost in the distance.
 Camera zoomed_within(const PictureState& state, const glm::dvec3& point, double factor) {
     const Camera next = zoomed(state.camera, point, factor);
     const double part = part_of_picture(next, state.bounds);

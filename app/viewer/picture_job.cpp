@@ -34,7 +34,7 @@ bool same_spheres(const Document& document, std::uint64_t& revision) {
     return true;
 }
 
-// Of what is available: so much, at most, may be kept of lights.
+// Kept lights may take this part of the available memory.
 constexpr std::uint64_t part_for_lights = 8;
 constexpr std::uint64_t most_for_lights = std::uint64_t{512} << 20;
 

@@ -15,7 +15,7 @@ namespace {
 // The pointer need not wait for the sky's lights: some 20 milliseconds.
 constexpr std::size_t most_lines_to_lights = 250'000;
 
-// Of more spheres, nothing that goes through all of them keeps up with the pointer or a drag.
+// With more spheres, work on all of them cannot keep up with the pointer or a drag.
 constexpr std::size_t most_spheres_on_the_way = 100'000;
 
 // Each sphere that a ray hits is compared exactly, in some 20 microseconds: of more, nothing keeps up with the pointer.
@@ -66,7 +66,7 @@ bool explain(ViewerState& state, const LivePicture& picture, const PinnedPixel& 
     if (kept && kept->place == place) return false;
     const bool of_window = !state.rays.on && pixel.size == state.picture_size;
     if (!of_window && !with_passed) return false;
-    // Of a pixel of another picture than the window's there are no lists.
+    // There are no lists for a pixel of another picture than the window's.
     const std::size_t most_compared = of_window ? picture.candidates(state.document, pixel.pixel) : scene.spheres.size();
     if (most_compared > most_compared_at_once) {
         using Make = PinnedPixels::Explained::Make;

@@ -111,7 +111,7 @@ private:
     std::uint64_t instead_of_ = 0;              // the revision of a frame for which an earlier copy stays
     bool kept_ = false;                         // there may be a recovery file of ours
     std::size_t complete_up_to_ = all_spheres;  // of the document, for write_recovery()
-    // Of the last copy that was written; the job's thread sets them.
+    // The state of the last written copy; the job's thread sets it.
     struct Written {
         std::atomic<bool> done = false;
         std::atomic<Clock::duration> took = Clock::duration::zero();

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Of data in the window: a quiet dark grey-blue, on which dark atoms are seen too.
+// The background of data in the window: a dark grey-blue, on which dark atoms are visible, too.
 constexpr Background quiet_background{{32, 36, 48}, false};
 
 // What readers say ends with options of the command line; in a window it is done otherwise.
@@ -225,7 +225,7 @@ LoadOptions load_options(const ViewerState& state, const std::string& path, std:
     if (state.format.is_data && !state.path.empty() && absolute_path(path) == state.path) keep_chosen_look(state, options.look);
     options.fit = state.options.fit;
     if (options.fit.wanted.value_or(false)) options.fit.wanted.reset();
-    // Of the first view, not of scenes.
+    // The projection is for the first view, not for later scenes.
     options.fit.projection.reset();
     options.fit.saved_view.reset();
     return options;

@@ -34,7 +34,7 @@ void forget_unread(ViewerState& state) {
 
 using Numbers = std::vector<std::uint32_t>;
 
-// Their numbers by place, and of spheres at one place by number.
+// The spheres' numbers, sorted by place, then by number.
 Numbers by_place(const std::vector<Sphere>& spheres) {
     Numbers numbers(spheres.size());
     std::iota(numbers.begin(), numbers.end(), 0U);

@@ -40,7 +40,7 @@ Json read_file(const fs::path& file, std::string& fault) {
 
 template <typename T>
 void read(const Json& json, const char* key, SettingRange<T> range, auto& setting) {
-    // As a double, which holds all of every range.
+    // A double holds every range.
     const auto whole = json[key].whole();
     const auto number = std::is_integral_v<T> && !whole ? std::nullopt : json[key].number();
     if (number && *number >= range.least && *number <= range.most) setting = static_cast<T>(*number);
@@ -91,7 +91,7 @@ void read_recent(const Json& json, std::vector<std::string>& recent) {
     }
 }
 
-// Of what is there already, only these settings change.
+// Changes only these settings in the file's JSON.
 void update(Json& json, const ViewerSettings& settings) {
     Json window = json["window"];
     if (!window.is_object()) window = Json::object();

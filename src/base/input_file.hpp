@@ -19,7 +19,7 @@ namespace sphereview {
 // The path that stands for standard input (as an input) and standard output (as an output).
 inline constexpr std::string_view standard_stream = "-";
 
-// What a file holds, which tells where a device or pipe without an end is left, and whether gzip is unpacked.
+// What a file holds: of a text, gzip is unpacked, and reading of a device or pipe ends at a zero byte.
 enum class Content { text, binary };
 
 // A file, device or pipe read front to back; only a window of it is in memory. The file is read, not mapped: an editor that
@@ -30,7 +30,7 @@ public:
     // A text from a device or pipe ends with its first zero byte, which no text holds (/dev/zero has no end).
     explicit InputStream(const std::string& path, Content content = Content::text);
 
-    // How messages call it: the path as given, or "stdin".
+    // The name in messages: the path as given, or "stdin".
     const std::string& name() const { return name_; }
     // A regular file's size in bytes when it was opened. Nothing for a packed text, and where the system hides the size, as in
     // /proc.

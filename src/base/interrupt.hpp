@@ -1,4 +1,4 @@
-// What must not be left behind when a person or the system interrupts the program.
+// Interruptions by a person or the system, which must leave nothing unfinished behind.
 #pragma once
 
 #include <functional>
@@ -10,17 +10,14 @@ namespace sphereview {
 // Writing beyond a file-size limit or to a closed pipe becomes an ordinary error. Call once, at the start of main.
 void install_interrupt_handlers();
 
-// From now on the first of these signals is passed to `act`, called with the signal's number on a thread of its own, so that a
-// program with unsaved work can keep that; one that comes a second later or more ends the process as above, and those before are
-// the same interruption said again. Call once.
+// From now on calls `act` with the number of the first of these signals, on a thread of its own, so that a program can keep unsaved
+// work. A signal a second later or more ends the process as above; earlier ones are ignored as repetitions. Call once.
 void pass_interrupts_to(std::function<void(int)> act);
 
-// For who was passed a signal: ends the process as above, once no Unfinished lives. The caller holds no lock that one of them waits
-// for.
+// For `act`: ends the process as above, once no Unfinished lives. The caller must hold no lock that one of these waits for.
 [[noreturn]] void end_interrupted(int signal_number);
 
-// While such an object lives, interruptions wait for its end: what is begun is not left unfinished. For a few milliseconds of work,
-// and from any thread.
+// Interruptions wait for the end of such an object, so that its work is finished. For a few milliseconds of work, on any thread.
 class Unfinished {
 public:
     Unfinished();

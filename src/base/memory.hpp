@@ -1,4 +1,4 @@
-// Whether something large fits in memory, asked before it is begun, and giving back what is no longer needed.
+// Asks whether large work fits in memory before it begins, and gives freed memory back.
 #pragma once
 
 #include <cstddef>
@@ -8,30 +8,30 @@
 
 namespace sphereview {
 
-// Bytes that this process can still have: what the system has free or can free without swapping, and the limits of its control
-// groups and of its address space. Nothing where that cannot be told (only Linux tells).
+// Bytes that this process can still have: what the system can give without swapping, within the limits of control groups and
+// address space. Nothing if unknown (only Linux tells).
 std::optional<std::uint64_t> available_memory();
 
-// What is left of the limits of its control groups and of those around them, of version 1 or 2; nothing where they set none, and
-// elsewhere than on Linux. `root`: the folder that holds /proc and /sys.
+// Bytes left of the limits of the process's control groups and their parents, of version 1 or 2; nothing without limits, and on
+// other systems than Linux. `root`: the folder that holds /proc and /sys.
 std::optional<std::uint64_t> memory_left_in_groups(const std::string& root = "");
 
-// What is left of a limit on this process's address space (ulimit -v); nothing where there is none.
+// Bytes left of a limit on the address space (ulimit -v); nothing without one.
 std::optional<std::uint64_t> address_space_left();
 
-// Throws MemoryError "WHAT 80.0 GB of memory, 3.1 GB are available" when `bytes` are more than that; `what` ends with "need".
-// Asks nobody about amounts that any machine has.
+// Throws MemoryError "WHAT 80.0 GB of memory, 3.1 GB are available" if `bytes` are not available; `what` ends with "need". Amounts
+// that any machine has always pass.
 void require_memory(std::uint64_t bytes, const std::string& what);
 
 // "3.1 GB", "20 MB"
 std::string in_bytes(std::uint64_t bytes);
 
-// From now on blocks of megabytes go back to the system when they are freed, for a process that lives long and whose needs come and
-// go. glibc keeps freed blocks of up to 32 MB otherwise; elsewhere this does nothing.
+// From now on freed blocks of megabytes go back to the system, for a process that lives long and whose needs vary. Else glibc keeps
+// freed blocks of up to 32 MB; elsewhere this does nothing.
 void return_large_blocks();
 
-// Of memory that is reserved and not touched yet: the system may provide it some megabytes at a time. Page by page, it takes longer
-// than whoever fills the memory. Elsewhere than on Linux this does nothing.
+// Lets the system provide untouched memory some megabytes at a time: page by page takes longer than filling the memory. Does
+// nothing on other systems than Linux.
 void prefer_large_pages(void* memory, std::size_t bytes);
 
 }  // namespace sphereview

@@ -39,14 +39,14 @@ namespace {
     throw OutputError(path == standard_stream ? "stdout" : path, why, static_cast<int>(error));
 }
 
-// Of a step that failed just now. Memory that ran out is another kind of error.
+// Throws for a step that has just failed. A lack of memory is another kind of error.
 [[noreturn]] void fail_by_errno(const std::string& path) {
     if (errno == ENOMEM) throw std::bad_alloc();
     if (errno == 0) fail(path, "a write error", std::errc::io_error);
     fail(path, std::strerror(errno), static_cast<std::errc>(errno));
 }
 
-// As errno has it, also where the system has numbers of its own.
+// The error as an errno, also on systems with other numbers.
 int errno_of(const std::error_code& error) { return error.default_error_condition().value(); }
 
 [[noreturn]] void fail_by(const std::string& path, const std::error_code& error) {
@@ -86,7 +86,7 @@ Target target_of(const std::string& path) {
     target.path = follow_links(path_from(path), error);
     if (error) fail_by(path, error);
     target.status = fs::status(target.path, error);
-    // Of a file that is no folder, what would be below it is said by check().
+    // check() reports a path below a file that is no folder.
     if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory) fail_by(path, error);
     return target;
 }
@@ -241,7 +241,7 @@ void make_folder(const std::string& path, const fs::path& folder, Durability dur
     if (durability == Durability::on_disk && !are_names_on_disk(folder.parent_path())) fail_by_errno(path);
 }
 
-// Of a file that could not become the output `path`, with the error's number.
+// Removes a file that could not become the output `path`, and throws.
 [[noreturn]] void give_up(const std::string& path, const fs::path& temporary, int error) {
     std::error_code ignored;
     fs::remove(temporary, ignored);
@@ -306,7 +306,7 @@ void check(const std::string& path, const Target& target, MissingFolder missing)
     }
 }
 
-// As check_output(), and says where the output goes.
+// As check_output(), and returns the target.
 Target checked_target_of(const std::string& path, MissingFolder missing) {
     if (path.empty()) fail("''", "it has no name", std::errc::no_such_file_or_directory);
     Target target = target_of(path);

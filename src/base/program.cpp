@@ -77,7 +77,7 @@ std::string find_program(const std::string& name) {
 
 namespace {
 
-// As the run-time libraries of other programs take a command line apart.
+// Quotes an argument so that other programs' run-time libraries read it back.
 std::wstring quoted(const std::wstring& argument) {
     std::wstring text = L"\"";
     std::size_t backslashes = 0;
@@ -282,7 +282,7 @@ public:
         ::kill(-process_, SIGKILL);  // with what it has started: it may be a script
         ends_within(most_wait);      // until it is gone it may still make a file
     }
-    // It stays known to who waits for it.
+    // The ended process stays known, for whoever waits for it.
     bool ends_within(int milliseconds) const {
         for (int waited = 0;; ++waited) {
             siginfo_t end{};

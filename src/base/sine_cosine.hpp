@@ -3,7 +3,7 @@
 
 namespace sphereview {
 
-// Of a finite angle in degrees; within 2^-51 of their size or 2^-52, and exact at multiples of 90. The same doubles on every
+// `degrees`: finite. Both results are within 2^-51 of their size or 2^-52, and exact at multiples of 90. The same doubles on every
 // machine, because they are made by + - * / in a fixed order.
 struct SineCosine {
     double sine = 0.0;

@@ -20,7 +20,7 @@ constexpr double usual_screen_depth = 0.4;
 // From beside, by so much from behind and from above.
 constexpr double from_behind = 46.0 * std::numbers::pi / 180.0;
 constexpr double from_above = 20.0 * std::numbers::pi / 180.0;
-// Of the second view, half of its screen's shorter side by the screen's distance.
+// Half of the second view's shorter screen side by the screen's distance.
 constexpr double view_slope = 0.5;
 constexpr double room_around = 0.07;  // at each side of the picture, or of what of it is free
 constexpr double least_free = 0.4;    // of the picture's side, or all of it is taken

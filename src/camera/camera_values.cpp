@@ -11,7 +11,7 @@ namespace sphereview {
 namespace {
 
 constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
-// Of the eye's line to the centre and the screen's axis: within this they are one.
+// Within this the eye's line to the centre and the screen's axis count as one.
 constexpr double straight = 1e-9;
 // So near to y, relative to its length, a direction has no level of its own.
 constexpr double steepest = 1e-6;

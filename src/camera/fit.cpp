@@ -19,10 +19,10 @@ namespace {
 
 constexpr std::size_t centers_at_once = 16384;
 
-// Of the default camera: its screen's distance and half its side.
+// The default camera's distance of the screen, and half of the screen's side.
 constexpr double distance = 100.0;
 constexpr double half_side = 50.0;
-// Of the planes that everything lies between: the screen's edges, less the margin.
+// The slope of the planes that everything lies between: the screen's edges, less the margin.
 constexpr double slope = half_side / distance * (31.0 / 32.0);
 
 // What is smaller than this part of its distance from the origin counts as larger: an eye's numbers could not place it well enough.

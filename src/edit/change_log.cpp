@@ -21,7 +21,7 @@ ChangeSpheres differing(const std::vector<Sphere>& before, const std::vector<Sph
     return old;
 }
 
-// Of `scene`, which has other values now.
+// Notes the change of `old` values; `scene` has the new ones.
 void note_spheres(const ChangeSpheres& old, const Scene& scene, LoggedChange& change) {
     if (old.numbers.size() <= ChangeLog::most_spheres) {
         change.spheres = old;

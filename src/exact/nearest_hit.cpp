@@ -211,7 +211,7 @@ Approximate NearestHit::c(const ScaledSphere& sphere) const {
     return dot(from_origin, from_origin) - sphere.radius * sphere.radius;
 }
 
-// Of the ray's origin, if 106 bits are enough.
+// The side of the ray's origin, if 106 bits are enough.
 std::optional<EyeSide> NearestHit::side(const ScaledSphere& sphere) const {
     if (sphere.side != EyeSide::in_plane) return sphere.side;
     const auto sign = c(sphere).sign();

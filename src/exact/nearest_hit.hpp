@@ -49,7 +49,7 @@ public:
     SphereScale(const glm::dvec3& eye, double largest);
 
     ScaledSphere operator()(const Sphere& sphere, std::int32_t number, EyeSide side) const;
-    // Of the power.
+    // The exponent of the power.
     int exponent() const { return exponent_; }
 
 private:

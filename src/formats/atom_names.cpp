@@ -61,7 +61,7 @@ bool is_drude_particle(std::string_view name) {
 
 const Element& known(const Element* element) { return element == nullptr ? unknown_element() : *element; }
 
-// Of the atom that is its whole residue; null where it is not.
+// The element of an atom that is its whole residue; null for another atom.
 const Element* element_of_ion(std::string_view name, std::string_view residue) {
     const std::string_view letters = letters_of(name);
     const std::string_view of_residue = letters_of(residue);

@@ -36,7 +36,7 @@ constexpr double same_place = 0.4;
 // Twice as many as any space group has.
 constexpr std::size_t most_operations = 384;
 
-// Of the tags the first that the block gives a value; null where it has none of them, or says ? or a point.
+// The first of the tags that has a value in the block; null if none has, or for ? and a point.
 const cif::Item* pair_of(const cif::Block& block, std::initializer_list<const char*> tags) {
     for (const char* tag : tags) {
         const cif::Item* item = block.find_pair_item(tag);
@@ -217,7 +217,7 @@ std::vector<SymmetryOperation> operations_of_named_group(const TextSource& sourc
     return {};
 }
 
-// As the block lists them, or as its space group has them. None where the block says nothing of symmetry.
+// The operations that the block lists, or those of its space group. None if the block says nothing of symmetry.
 std::vector<SymmetryOperation> operations_in(const TextSource& source, cif::Block& block, std::vector<std::string>& warnings) {
     std::vector<SymmetryOperation> operations;
     for (const char* tag : {"_space_group_symop_operation_xyz", "_space_group_symop.operation_xyz", "_symmetry_equiv_pos_as_xyz",

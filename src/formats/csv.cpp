@@ -90,7 +90,7 @@ public:
         if (!name.empty()) read.names.emplace_back(read.spheres.size() - 1, std::move(name));
     }
 
-    // Of a table with a column of elements, or of the names of atoms.
+    // For a table with a column of elements or names of atoms.
     const Element& element_of_row() const {
         const std::string_view text = field(CsvColumn::element).text;
         if (!table_.atom_names) return element_of_species(text);
@@ -113,7 +113,7 @@ private:
 
     bool has(CsvColumn column) const { return table_.columns.has(column); }
 
-    // Of a column that there is.
+    // The column must exist.
     const CsvField& field(CsvColumn column) const {
         const std::size_t place = *table_.columns[column];
         if (place >= records_.fields().size()) records_.fail_at_end(name_of(column));

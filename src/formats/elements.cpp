@@ -69,7 +69,7 @@ constexpr Element no_element{"", {0xFF, 0x14, 0x93}, 0.2};
 
 constexpr std::size_t slots = 27;
 
-// Of the letters' place in the alphabet, from 1; 0 where there is no letter.
+// A slot by the places of the letters in the alphabet, from 1; 0 for no letter.
 constexpr std::size_t slot(std::string_view symbol) {
     std::size_t place = 0;
     for (std::size_t i = 0; i < 2; ++i) place = slots * place + (i < symbol.size() ? static_cast<std::size_t>(symbol[i] & 31) : 0);

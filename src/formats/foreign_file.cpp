@@ -23,7 +23,7 @@ struct Mark {
     std::size_t offset = 0;
 };
 
-// Of what a text begins with, behind blank lines or comments and in lower case.
+// Marks the beginning of a text behind blank lines or comments, in lower case.
 constexpr std::size_t of_text = std::string_view::npos;
 
 // Bytes that no text holds, or that begin files of one kind alone.

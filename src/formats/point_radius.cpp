@@ -24,7 +24,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // cubes too large.
 class Grid {
 public:
-    // Of about `cells` cubes over the box from `low` to `high`.
+    // A grid of about `cells` cubes over the box from `low` to `high`.
     Grid(const glm::dvec3& low, const glm::dvec3& high, double cells) : low_(low) {
         const glm::dvec3 size = high - low;
         const double longest = std::max({size.x, size.y, size.z});
@@ -84,7 +84,7 @@ private:
     std::array<std::int64_t, 3> counts_{};
 };
 
-// Of which point the nearest neighbour is looked for, and the square of the least distance so far, in the grid's unit.
+// A point whose nearest neighbour is searched for, and the square of the least distance so far, in the grid's unit.
 struct Sample {
     glm::dvec3 point;
     double nearest = infinity;

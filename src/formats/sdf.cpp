@@ -24,7 +24,7 @@ struct MolFrame {
     std::size_t behind_atoms = 0;  // where the next line begins
 };
 
-// Such a line of V3000 goes on in the next one.
+// Whether a line of V3000 goes on in the next one.
 bool ends_in_hyphen(std::string_view line, std::string_view) { return trimmed(line, white_space).ends_with('-'); }
 
 constexpr std::size_t words_of_atom = 4;  // of V2000: x y z SYMBOL

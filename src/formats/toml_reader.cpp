@@ -38,7 +38,7 @@ void read_sphere(const TomlText& document, const toml::table& table, Scene& scen
     scene.spheres.push_back(sphere);
 }
 
-// Of [camera], or of a [[view]].
+// Reads [camera] or a [[view]].
 Camera read_camera(const TomlText& document, const toml::table& table, const TableReader& reader) {
     Camera camera;
     if (const auto* node = reader.find("eye")) camera.eye = reader.vector(*node, "eye");
@@ -200,7 +200,7 @@ std::uint64_t bytes_of_tree(std::string_view text) {
     return 3 * std::uint64_t{text.size()} + values * bytes_of_value + brackets * bytes_of_bracket + key_parts * bytes_of_key_part;
 }
 
-// Of the whole scene.
+// The name of the top level in messages.
 constexpr const char* top_level = "the scene";
 const std::vector<std::string>& top_keys() {
     static const std::vector<std::string> keys = {"background", "camera",  "light",  "view", "property",
@@ -261,7 +261,7 @@ SphereData read_scene(const TomlText& document, const toml::table& table, Scene 
     return data;
 }
 
-// Of a piece of a document that is nothing but [[sphere]] tables.
+// Reads a piece of a document that has only [[sphere]] tables.
 Scene read_sphere_tables(const TomlText& piece) {
     const toml::table table = parse(piece);
     Scene scene;

@@ -131,7 +131,7 @@ void append_values(std::string& text, const std::vector<Number>& values) {
         const char* const line_gap = as_text ? "\n" : ",\n    ";
         text += i % in_a_line != 0 ? gap : i > 0 ? line_gap : as_text ? "\n" : "";
         std::string word = value_in_words(values[i]);
-        // As a TOML integer -0 would lose its sign, and what 64 bits do not hold is none.
+        // As a TOML integer -0 would lose its sign, and a number beyond 64 bits would be wrong.
         constexpr std::size_t surely_in_64_bits = 18;
         const bool is_plain = word.find_first_not_of("-0123456789") == std::string::npos;
         if (!as_text && is_plain && (word == "-0" || word.size() > surely_in_64_bits)) word += ".0";

@@ -256,7 +256,7 @@ std::optional<FrameTime> time_in_comment(std::string_view comment) {
     return value ? frame_time(trimmed(*value, ",;"), "") : std::nullopt;
 }
 
-// Of an atom that has a type instead of an element: "type 2".
+// The name of an atom that has a type instead of an element: "type 2".
 std::string name_of_typed(std::string_view label) {
     return is_digits(label) ? "type " + std::string(label) : name_of_species(label);
 }

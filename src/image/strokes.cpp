@@ -100,7 +100,7 @@ struct Box {
 };
 
 std::vector<Box> boxes_of(std::string text) {
-    // Of a corner: x, y and z, and a colour. No letter has more than 20 boxes.
+    // The bytes of a corner: x, y and z, and a colour. No letter has more than 20 boxes.
     constexpr std::size_t corner = 16;
     std::vector<std::uint8_t> bytes(text.size() * 20 * 4 * corner + 4 * corner);
     const int boxes = stb_easy_font_print(0.0F, 0.0F, text.data(), nullptr, bytes.data(), static_cast<int>(bytes.size()));

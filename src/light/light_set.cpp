@@ -105,7 +105,7 @@ std::vector<DirectedLight> light_set(const Light& light, int lights, const Camer
         const double lobe = towards_key > 0.0 ? (towards_key * towards_key) * (towards_key * towards_key) : 0.0;
         add(direction, share(direction, sky_of(light) * (4.0 * sky_light + 12.0 * (light.key * key_light) * lobe) / lights));
     };
-    // Of pairs of opposite directions, the numbers' bits reversed.
+    // Pairs of opposite directions, in the order of the reversed bits of their numbers.
     const std::vector<glm::dvec3> spiral = half_spiral(lights);
     const auto bits = static_cast<int>(std::bit_width(spiral.size() - 1));
     for (std::uint32_t k = 0; k < 1U << bits; ++k) {

@@ -170,7 +170,7 @@ void add_shown(LightSums& sums, bool sun, const glm::dvec3& toward_eye, const Li
     bool any = false;
     double so_far = 0.0;
     while (sums.added() < sums.size()) {
-        // As many as there is time for.
+        // Adds as many lights as there is time for.
         const std::size_t known = sums.added() - suns;
         const double for_each = seconds() / static_cast<double>(known + suns);
         const double many = known == 0 ? 0.0 : (any ? previews.every : previews.first_after) / for_each;

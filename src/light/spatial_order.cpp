@@ -16,7 +16,7 @@ constexpr int cell_bits = 6;  // an axis
 constexpr double cells_across = 64.0;
 static_assert(SpatialGrid::cells == std::size_t{1} << (3 * cell_bits));
 
-// Its bits, two zeros after each.
+// The bits of `cell`, with two zeros after each.
 std::uint32_t spread(std::uint32_t cell) {
     std::uint32_t result = 0;
     for (int bit = 0; bit < cell_bits; ++bit) result |= (cell >> bit & 1U) << (3 * bit);

@@ -48,7 +48,7 @@ std::uint8_t on_curve(const Knots& curve, int shift, std::size_t knot, double u)
     return byte_of(p1 + u * (0.5 * (p2 - p0) + u * (squared + u * cubic)));
 }
 
-// Of a colour, so many percent, and the rest of another grey level.
+// A colour mixed with a grey `level`; `percent`: the colour's part.
 Color mixed(const Color& color, int percent, int level) {
     const auto part = [&](std::uint8_t own) {
         return static_cast<std::uint8_t>((own * percent + level * (100 - percent) + 50) / 100);

@@ -32,7 +32,6 @@ struct ColorBy {
     bool operator==(const ColorBy&) const = default;
 };
 
-// Of a category.
 struct Category {
     std::string name;  // "": spheres without a value
     Color color;

@@ -323,7 +323,7 @@ std::vector<std::int32_t> WrongPictures::numbers_in_float(Pixel pixel) {
     const Line line = view.ray(pixel);
     const double square = glm::dot(line.direction, line.direction);
 
-    // Of each sphere that float may take to be hit: between which t.
+    // The range of t for each sphere that float may take to be hit.
     struct Span {
         std::int32_t number;
         double low;

@@ -47,7 +47,7 @@ std::vector<WrongTracer> with_one_more_mistake(const WrongTracer& tracer, Pictur
             if (can_differ(wrong)) more.push_back(wrong);
         }
     };
-    // Of two mistakes that look the same the first is named. What lies behind the eye counts: so do spheres around it.
+    // Of two mistakes with the same picture only the first is named. If hits behind the eye count, so do spheres around it.
     const auto is_possible = [](const WrongTracer& wrong) {
         return wrong.side == SideRule::in_front || wrong.root != RootRule::inside_missed;
     };

@@ -87,7 +87,7 @@ struct Span {
     std::size_t count = 0;
 };
 
-// Of each pixel: n.v, the distance, and the normal.
+// For each pixel n.v, the distance, and the normal.
 struct Hits {
     std::array<double, most_at_once> facing;
     std::array<double, most_at_once> distance;
@@ -144,7 +144,7 @@ SPHEREVIEW_FOR_EACH_SIMD void find_hits(const Span& span, Hits& hits) {
     }
 }
 
-// Of 0..1.
+// The byte of a channel, 0..1.
 std::uint8_t byte_of(double value) { return static_cast<std::uint8_t>(std::floor(255.0 * between_0_and_1(value) + 0.5)); }
 
 std::uint8_t times(std::uint8_t channel, double factor) { return static_cast<std::uint8_t>(std::floor(channel * factor + 0.5)); }
@@ -182,7 +182,7 @@ DepthRange depths_in_perspective(const Sphere& sphere, const glm::dvec3& eye) {
     return {std::fabs(distance - radius), distance < radius ? distance + radius : distance};
 }
 
-// Of rays with the direction that begin in the plane with the normal `ahead`. A sphere behind the plane has none.
+// The depths of a sphere for rays that begin in the plane with the normal `ahead`. Nothing for a sphere behind the plane.
 std::optional<DepthRange> depths_of_parallels(const Sphere& sphere, const glm::dvec3& eye, const glm::dvec3& ahead,
                                               const glm::dvec3& direction) {
     const double depth = dot(from_eye(sphere.center, eye), ahead);

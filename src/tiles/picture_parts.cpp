@@ -16,7 +16,7 @@ PictureParts::PictureParts(const CandidateLists& lists, const PixelGrid& grid, c
     for (int row = covered.top; row <= covered.bottom; ++row) cost_ += row_cost(lists, row);
 }
 
-// As if a tile's list stood for an equal part of the row's texels.
+// An estimate: each tile's list counts for an equal part of the row's texels.
 double PictureParts::row_cost(const CandidateLists& lists, int row) const {
     double cost = cost_of_its_own * (covered_.right - covered_.left + 1);
     for (const TileLevel& level : lists.levels) {

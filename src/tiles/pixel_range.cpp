@@ -139,7 +139,7 @@ struct Lanes {
     Lane known;  // 1: the range above is proven; 0: range() is needed
 };
 
-// As in_front(), where that would take the guess as it is.
+// As in_front() for balls whose guess is right.
 void guess_lanes(const PixelAxis& axis, Lanes& balls, std::array<double, lanes>& firsts, std::array<double, lanes>& lasts) {
     for (std::size_t i = 0; i < lanes; ++i) {
         const Product ball = product(axis, balls.x[i], balls.y[i], balls.z[i], balls.reach[i]);
