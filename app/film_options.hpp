@@ -23,12 +23,12 @@ struct FilmOptions {
 // "30" or "30000/1001", each number from 1 to 1,000,000; nothing for another text.
 std::optional<FrameRate> parse_frame_rate(std::string_view text);
 
-// What a film of one ending can be. film_kind() gives nothing for another ending.
+// Whether a film may be called so, and whether its quality can be chosen, it may be transparent, and how fast it can be.
 struct FilmKind {
     std::string_view ending;
     bool has_quality;
     bool has_alpha;
-    int fastest;  // pictures a second, at most: .gif's limit is the players', other limits are the format's
+    int fastest;  // pictures a second: of .gif what players show in time, of the others what the file can say
 };
 std::optional<FilmKind> film_kind(std::string_view path);
 

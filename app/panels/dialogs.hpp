@@ -91,11 +91,11 @@ struct FileBrowser {
     std::size_t listed_kind = 0;
     bool listed_hidden = false;  // `entries` has hidden files
     FileOrder order;
-    bool hidden_files = false;                                  // are shown
+    bool hidden_files = false;                                  // shown too
     bool to_top = false;                                        // the list begins at its top in the next redraw
-    std::string typed_folder;                                   // the path box's text
-    float below_list = 0.0F;                                    // height of all below the list
-    enum class Focus { none, name, path } focus = Focus::name;  // gets the keyboard in the next redraw
+    std::string typed_folder;                                   // what the path box holds
+    float below_list = 0.0F;                                    // how high what stands below the list was
+    enum class Focus { none, name, path } focus = Focus::name;  // the box that gets the keyboard in the next redraw
 };
 
 // Why no picture can have this size; "" if one can, or there is no size.
@@ -122,7 +122,7 @@ void draw_dialogs(const PanelContext& context, Dialogs& dialogs, const DialogKey
 
 // The rest is for dialogs.cpp and file_browser.cpp.
 
-// The person's decision in this redraw.
+// What the person decided in this redraw.
 struct Decision {
     bool done = false;           // the dialog closes
     std::function<void()> then;  // called when all dialogs are drawn and this one, if done, is removed; may add dialogs

@@ -89,7 +89,7 @@ struct SidePanelState {
     std::uint64_t shared_selection = 0;
     std::string name;
     bool name_active = false;
-    bool open_camera = false;  // opens the part for the camera in the next redraw
+    bool open_camera = false;  // its part is opened in the next redraw
     Renaming renamed_view;
     std::string view_fault;  // why the last name was refused
     // Whether a text box is about to get the keyboard, which takes a redraw or two.

@@ -1,4 +1,4 @@
-// Reads pictures of other programs.
+// Pictures that other programs wrote.
 #pragma once
 
 #include <string>
@@ -8,8 +8,9 @@
 
 namespace sphereview {
 
-// The picture in a PNG, PPM, PGM (text or binary) or BMP, told apart by the first bytes: RGB, or RGBA with alpha. `name`: for
-// messages. Throws InputError for other or damaged files, and MemoryError when the picture cannot fit.
+// The picture in a PNG, a PPM or PGM (as text or binary) or a BMP, told apart by their first bytes: RGB, or RGBA where there is
+// alpha. `name`: how messages call the file. Throws InputError for anything else and for a damaged one, and MemoryError when it
+// cannot fit.
 Image decode_picture(std::string_view bytes, const std::string& name);
 
 // The same of the file at `path`, or of standard input for "-".
