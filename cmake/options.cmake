@@ -84,37 +84,60 @@ if(NOT DEFINED CMAKE_UNITY_BUILD_BATCH_SIZE)
     set(CMAKE_UNITY_BUILD_BATCH_SIZE 24)
 endif()
 
-# How much a release's compiler optimises. A debug build's sanitizers cost menus twice the time to compile when they are optimised, too.
-foreach(level IN ITEMS 1 2)
-    add_library(optimised_${level} INTERFACE)
-    if(NOT MSVC)
-        # With less than -O3, GCC does not see that a variant's other members are not read, nor how long a string is.
-        target_compile_options(optimised_${level} INTERFACE
-            $<$<CONFIG:Release>:-O${level}> $<$<AND:$<CONFIG:Debug>,$<EQUAL:${level},1>>:-O0> $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overread>)
-    endif()
-    add_precompiled(precompiled_${level} LINKS sphereview_options optimised_${level})
+# How much the compiler optimises: fast: what computes for each pixel or each sphere; plain: all else, with -O1, which takes half the time that
+# -O2 takes and is as quick where nothing is computed. In a debug build sanitizers cost twice the time again in plain code that is optimised.
+add_library(plain INTERFACE)
+add_library(fast INTERFACE)
+if(NOT MSVC)
+    # With less than -O3, GCC does not see that a variant's other members are not read, nor how long a string is.
+    target_compile_options(plain INTERFACE $<$<CONFIG:Release>:-O1> $<$<CONFIG:Debug>:-O0>
+        $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overread>)
+    # Without traps the compiler may use SIMD for square roots and comparisons; every result stays as IEEE 754 has it.
+    target_compile_options(fast INTERFACE -O3 -fno-trapping-math)
+endif()
+foreach(kind IN ITEMS plain fast)
+    add_precompiled(precompiled_${kind} LINKS sphereview_options ${kind})
 endforeach()
 
-# A static library from the given sources of this folder, included as "folder/file.hpp". Of LEVEL 1: menus and the like, which nobody waits
-# for; 2, unless said; 3: what computes for each pixel, with the preset's own -O3 and no precompiled header. FAST sources are of level 3 in a
-# room that is not.
+# Compiles a target's sources as KIND has it.
+function(compile_as target kind)
+    target_link_libraries(${target} PRIVATE sphereview_options ${kind})
+    use_precompiled(${target} precompiled_${kind})
+endfunction()
+
+# A static library from the given sources of this folder, included as "folder/file.hpp"; the FAST ones are an object library, NAME_fast.
 function(add_room name)
-    cmake_parse_arguments(room "" "LEVEL" "SOURCES;FAST;LINKS" ${ARGN})
-    add_library(${name} STATIC ${room_SOURCES} ${room_FAST})
-    target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
-    target_link_libraries(${name} PUBLIC ${room_LINKS} PRIVATE sphereview_options)
-    if(NOT room_LEVEL)
-        set(room_LEVEL 2)
+    cmake_parse_arguments(room "" "" "SOURCES;FAST;LINKS" ${ARGN})
+    set(parts)
+    if(room_SOURCES)
+        add_library(${name} STATIC ${room_SOURCES})
+        compile_as(${name} plain)
+        set(parts ${name})
     endif()
-    if(room_LEVEL LESS 3)
-        target_link_libraries(${name} PRIVATE optimised_${room_LEVEL})
-        use_precompiled(${name} precompiled_${room_LEVEL})
+    if(room_FAST)
+        if(room_SOURCES)
+            set(fast ${name}_fast)
+            add_library(${fast} OBJECT ${room_FAST})
+            target_sources(${name} PRIVATE $<TARGET_OBJECTS:${fast}>)
+        else()
+            set(fast ${name})
+            add_library(${fast} STATIC ${room_FAST})
+        endif()
+        compile_as(${fast} fast)
+        # What inlining makes of a fast source must not depend on its neighbours.
+        if(NOT CMAKE_BUILD_TYPE STREQUAL Debug)
+            set_target_properties(${fast} PROPERTIES UNITY_BUILD OFF)
+        endif()
+        list(APPEND parts ${fast})
     endif()
-    # What inlining makes of a fast source must not depend on its neighbours, and windows.h, which these two rooms include, must not reach them.
-    if((WIN32 AND name MATCHES "^(base|platform)$") OR (room_LEVEL EQUAL 3 AND NOT CMAKE_BUILD_TYPE STREQUAL Debug))
+    foreach(part IN LISTS parts)
+        target_include_directories(${part} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+        target_link_libraries(${part} PUBLIC ${room_LINKS})
+    endforeach()
+    # windows.h, which these two rooms include, must not reach their other sources.
+    if(WIN32 AND name MATCHES "^(base|platform)$")
         set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
     endif()
-    if(room_FAST AND NOT MSVC AND (CMAKE_BUILD_TYPE STREQUAL Release OR CMAKE_CONFIGURATION_TYPES))
-        set_source_files_properties(${room_FAST} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O3> SKIP_PRECOMPILE_HEADERS ON)
-    endif()
+    # For tests that compile a room once more.
+    set_target_properties(${name} PROPERTIES ROOM_SOURCES "${room_SOURCES};${room_FAST}")
 endfunction()
