@@ -138,7 +138,7 @@ private:
 
     const PanelContext& context_;
     SidePanelState& state_;
-    Camera camera_;  // with all that changed in this frame
+    Camera camera_;  // with all that changed in this redraw
     bool changed_ = false;
 };
 

@@ -93,10 +93,10 @@ struct FileBrowser {
     bool listed_hidden = false;  // whether `entries` has hidden files
     FileOrder order;
     bool hidden_files = false;                                  // shown too
-    bool to_top = false;                                        // the list begins at its top in the next frame
+    bool to_top = false;                                        // the list begins at its top in the next redraw
     std::string typed_folder;                                   // what the path box holds
     float below_list = 0.0F;                                    // how high what stands below the list was
-    enum class Focus { none, name, path } focus = Focus::name;  // the box that gets the keyboard in the next frame
+    enum class Focus { none, name, path } focus = Focus::name;  // the box that gets the keyboard in the next redraw
 };
 
 // Why no picture can be of the size; "" if one can, or there is no size.
@@ -110,7 +110,7 @@ std::string id_of(const Dialog& dialog);
 // Dialogs that wait for an answer. Only the last can be answered; the others lie dimmed below.
 using Dialogs = std::vector<Dialog>;
 
-// The keys that were pressed, not repeated, since the last frame.
+// The keys that were pressed, not repeated, since the last redraw.
 struct DialogKeys {
     bool enter = false;
     bool escape = false;
@@ -123,7 +123,7 @@ void draw_dialogs(const PanelContext& context, Dialogs& dialogs, const DialogKey
 
 // What follows is what the dialogs share: for dialogs.cpp and file_browser.cpp.
 
-// What the person decided in this frame.
+// What the person decided in this redraw.
 struct Decision {
     bool done = false;           // the dialog goes away
     std::function<void()> then;  // called after all dialogs are drawn and this one, if done, is gone; may add dialogs

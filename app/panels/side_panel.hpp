@@ -89,7 +89,7 @@ struct SidePanelState {
     std::uint64_t shared_selection = 0;
     std::string name;
     bool name_active = false;
-    bool open_camera = false;  // its part is opened in the next frame
+    bool open_camera = false;  // its part is opened in the next redraw
     Renaming renamed_view;
     std::string view_fault;  // why the name that was typed last was refused
     // Whether a box for typing has been asked for, and a redraw or two go by until it has the keyboard.
