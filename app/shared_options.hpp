@@ -157,7 +157,7 @@ inline void add_light(CLI::App& command, LightOptions& light) {
 
 // Of an option that is about light.
 inline void check_shows_light(const std::string& option, Shading shading) {
-    if (shading != Shading::studio) throw CLI::ValidationError(option + " needs --shade studio");
+    if (!is_lit(shading)) throw CLI::ValidationError(option + " needs --shade studio");
 }
 
 inline void check_light(const LightOptions& light, Shading shading) {

@@ -47,7 +47,7 @@ std::size_t bytes_for_lights() {
 // shows. Of what is kept nothing is decided anew, and the rest is added.
 Image render_growing(const Scene& scene, const PictureOptions& options, std::span<const std::int32_t> seen, WorkControl& control,
                      Preview& preview, KeptLights& kept) {
-    if (options.shading != Shading::studio) return render_beside(scene, options, control);
+    if (!is_lit(options.shading)) return render_beside(scene, options, control);
     Drafts drafts{.under = {}, .show = [&](Image image) { preview.set(std::make_shared<const Image>(std::move(image))); }};
     const auto kept_draft = kept.draft.get();
     const auto kept_picture = kept.picture.get();
@@ -217,7 +217,7 @@ void begin_rest_picture(ViewerState& state, const std::function<std::vector<std:
     }
     auto image = std::make_shared<Image>();
     auto preview = std::make_shared<Preview>();
-    const bool grows = options.shading == Shading::studio;
+    const bool grows = is_lit(options.shading);
     if (!state.kept_lights || !state.kept_lights->are_of(state.document, options)) {
         state.kept_lights = std::make_shared<KeptLights>(state.document.revision(), options);
     }
@@ -239,8 +239,8 @@ bool rest_picture_is_shown(ViewerState& state) {
     const bool same = same_spheres(state.document, picture.revision);
     if (same && picture.options == options) return picture.is_made();
     const auto& kept = state.kept_lights;
-    const bool relit = kept && (kept->draft.get() || kept->picture.get()) && options.shading == Shading::studio &&
-                       kept->are_of(state.document, options);
+    const bool relit =
+        kept && (kept->draft.get() || kept->picture.get()) && is_lit(options.shading) && kept->are_of(state.document, options);
     if (!same) state.snapshot = {};
     if (!relit) {
         state.rest_picture.reset();
