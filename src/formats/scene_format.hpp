@@ -24,6 +24,7 @@ struct SceneFormat {
     bool may_end_in_txt = false;                // also known by what it begins with where the name is one for text
     bool may_be_binary = false;                 // of bytes that no text holds, so that nothing else is asked first what they are
     bool has_frames = false;
+    bool has_columns = false;         // a table, whose columns may be chosen
     bool holds_only_spheres = false;  // no background, camera, light, views, names or hidden spheres
 
     // Whether a text that begins with `head`, without a byte-order mark, is of this format; true only where that is clear.
@@ -64,6 +65,7 @@ const SceneFormat* find_format(std::string_view name);
 inline bool is_data(const SceneFormat& format) { return format.is_data; }
 inline bool is_written(const SceneFormat& format) { return format.write != nullptr; }
 inline bool has_frames(const SceneFormat& format) { return format.has_frames; }
+inline bool has_columns(const SceneFormat& format) { return format.has_columns; }
 
 // The endings of the format's file names: those that are not "".
 std::vector<std::string> endings_of(const SceneFormat& format);
