@@ -8,7 +8,6 @@
 
 #include "base/number.hpp"
 #include "base/text.hpp"
-#include "panels/expression.hpp"
 #include "panels/widgets.hpp"
 
 namespace sphereview {
