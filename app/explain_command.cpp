@@ -231,7 +231,7 @@ std::string explain(const Scene& scene, const std::string& name, const ExplainOp
     const Background background = options.background.value_or(scene.background);
     const PictureShader shader(scene, scene.camera, options.size, options.shading, background);
     std::optional<PixelLight> light;
-    if (options.shading == Shading::studio) {
+    if (is_lit(options.shading)) {
         const Light of_scene = with_options(scene, options.light);
         const NumberedLights lights(of_scene, scene.spheres.size(), scene.camera);
         if (const std::optional<int> number = options.light_to_show; number && !lights.has(*number)) {

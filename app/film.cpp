@@ -1,6 +1,5 @@
 #include "app/film.hpp"
 
-#include <array>
 #include <cerrno>
 #include <filesystem>
 #include <mutex>
@@ -16,6 +15,7 @@
 #include "base/path.hpp"
 #include "base/standard_streams.hpp"
 #include "base/text.hpp"
+#include "formats/lines.hpp"
 
 namespace sphereview {
 
@@ -27,36 +27,17 @@ std::string as_text(FrameRate rate) { return std::to_string(rate.pictures) + "/"
 
 void append(Words& words, const Words& more) { words.insert(words.end(), more.begin(), more.end()); }
 
-// BT.709, as image/y4m.hpp has it, with half the colour's pixels along each side, which every player shows; sides become even.
-Words usual_colors() {
-    return {"-vf",
-            "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv,format=yuv420p",
-            "-colorspace",
-            "bt709",
-            "-color_range",
-            "tv",
-            "-color_trc",
-            "bt709",
-            "-color_primaries",
-            "bt709"};
-}
-
-Words encoding(std::string_view ending, int quality, bool alpha) {
-    Words words;
-    if (ending == ".mp4") {
-        words = {"-c:v", "libx264", "-crf", std::to_string(48 - (2 * quality + 2) / 5), "-movflags", "+faststart", "-f", "mp4"};
-        append(words, usual_colors());
-    } else if (ending == ".webm") {
-        words = {"-c:v", "libvpx-vp9", "-crf", std::to_string(63 - quality / 2), "-b:v", "0", "-row-mt", "1", "-f", "webm"};
-        append(words, usual_colors());
-    } else if (ending == ".gif") {
-        // A palette for each picture: one for all would keep all of them in memory first.
-        words = {"-vf", "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1", "-f", "gif"};
-    } else if (ending == ".png") {
-        words = {"-c:v", "apng", "-plays", "0", "-pix_fmt", alpha ? "rgba" : "rgb24", "-f", "apng"};
-    } else {
-        words = {"-c:v", "ffv1", "-level", "3", "-pix_fmt", alpha ? "bgra" : "bgr0", "-f", "matroska"};
+Words encoding(const FilmKind& kind, int quality, bool alpha) {
+    Words words = {"-c:v", std::string(kind.encoder)};
+    if (kind.has_quality()) {
+        append(words, {"-crf", std::to_string(kind.worst - (kind.range * quality + 40) / best_film_quality)});
+        // BT.709, as image/y4m.hpp has it, with half the colour's pixels along each side, which every player shows; sides become
+        // even.
+        append(words, {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv,format=yuv420p",
+                       "-colorspace", "bt709", "-color_range", "tv", "-color_trc", "bt709", "-color_primaries", "bt709"});
     }
+    if (kind.has_alpha()) append(words, {"-pix_fmt", std::string(kind.pixels[alpha ? 1 : 0])});
+    for (const std::string_view word : words_of(kind.words, " ")) words.emplace_back(word);
     return words;
 }
 
@@ -77,13 +58,11 @@ FilmEncoder ask_film_encoder(std::chrono::milliseconds limit) {
         encoder.fault = error.what();
         return encoder;
     }
-    constexpr std::array<std::pair<const char*, const char*>, 5> needed = {
-        {{".mp4", "libx264"}, {".webm", "libvpx-vp9"}, {".gif", "gif"}, {".png", "apng"}, {".mkv", "ffv1"}}};
-    for (const auto& [ending, name] : needed) {
-        if (answer.output.find(" " + std::string(name) + " ") != std::string::npos) {
-            encoder.endings.emplace_back(ending);
+    for (const FilmKind& kind : film_kinds()) {
+        if (answer.output.find(" " + std::string(kind.encoder) + " ") != std::string::npos) {
+            encoder.endings.emplace_back(kind.ending);
         } else {
-            encoder.lacks.push_back(std::string(ending) + " (" + name + ")");
+            encoder.lacks.push_back(std::string(kind.ending) + " (" + std::string(kind.encoder) + ")");
         }
     }
     if (answer.end != ProgramResult::End::returned || encoder.endings.empty()) {
@@ -133,7 +112,7 @@ void Film::begin() {
 
 void Film::start(const Image& first) {
     const bool alpha = first.channels() == 4;
-    if (alpha && !(options_.movie && film_kind(*options_.movie)->has_alpha)) {
+    if (alpha && !(options_.movie && film_kind(*options_.movie)->has_alpha())) {
         throw InputError(options_.movie.value_or("stdout") +
                          ": found a transparent background, which such a film cannot have; expected another --background");
     }
@@ -156,7 +135,7 @@ void Film::start(const Image& first) {
                    "pipe:0",
                    "-an",
                    "-bitexact"};
-    append(words, encoding(film_kind(*options_.movie)->ending, options_.quality.value_or(usual_film_quality), alpha));
+    append(words, encoding(*film_kind(*options_.movie), options_.quality.value_or(usual_film_quality), alpha));
     // Who gives up meanwhile waits until there is an encoder to end: it would leave its file behind.
     const std::lock_guard lock(mutex_);
     if (given_up_) throw Cancelled();

@@ -21,15 +21,30 @@ std::optional<FrameRate> parse_frame_rate(std::string_view text) {
     return FrameRate{static_cast<int>(pictures), static_cast<int>(seconds)};
 }
 
-std::optional<FilmKind> film_kind(std::string_view path) {
-    constexpr std::array<FilmKind, 5> kinds = {{{".mp4", true, false, 65'535},
-                                                {".webm", true, false, 1000},
-                                                {".gif", false, false, 50},
-                                                {".png", false, true, 65'535},
-                                                {".mkv", false, true, 1000}}};
+std::span<const FilmKind> film_kinds() {
+    static constexpr auto kinds = std::to_array<FilmKind>({
+        {".mp4", "Film, H.264", "libx264", "-movflags +faststart -f mp4", 65'535, {}, 48, 40},
+        {".webm", "Film, VP9", "libvpx-vp9", "-b:v 0 -row-mt 1 -f webm", 1000, {}, 63, 50},
+        // A palette for each picture: one for all would keep all of them in memory first.
+        {".gif", "Animated GIF", "gif", "-vf split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1 -f gif", 50},
+        {".png", "Animated PNG", "apng", "-plays 0 -f apng", 65'535, {"rgb24", "rgba"}, 0, 0, " (animated)"},
+        {".mkv", "Lossless film, FFV1", "ffv1", "-level 3 -f matroska", 1000, {"bgr0", "bgra"}},
+    });
+    return kinds;
+}
+
+const FilmKind* film_kind(std::string_view path) {
     const std::string name = lower_case(path);
-    const auto found = std::ranges::find_if(kinds, [&](const FilmKind& kind) { return name.ends_with(kind.ending); });
-    return found == kinds.end() ? std::nullopt : std::optional(*found);
+    const auto found = std::ranges::find_if(film_kinds(), [&](const FilmKind& kind) { return name.ends_with(kind.ending); });
+    return found == film_kinds().end() ? nullptr : &*found;
+}
+
+std::string film_endings(std::string_view last, bool with_quality) {
+    std::vector<std::string> endings;
+    for (const FilmKind& kind : film_kinds()) {
+        if (kind.has_quality() || !with_quality) endings.push_back(std::string(kind.ending).append(kind.remark));
+    }
+    return listed(endings, last);
 }
 
 std::string rates_instead_of(FrameRate rate, const FilmKind& kind) {

@@ -27,19 +27,20 @@ void add_farm_options(CLI::App& command, RenderOptions& options) {
 }
 
 void add_film_options(CLI::App& command, FilmOptions& film) {
-    const std::string endings = std::string("a name that ends with ") + film_endings;
+    const std::string endings = "a name that ends with " + film_endings("or");
     CLI::Option* movie =
         add_option(command, film.movie,
                    {"--movie", "FILE",
                     "A film of the pictures, by the program ffmpeg: " + endings + ", which alone decides the format", endings},
-                   [](const std::string& text) { return film_kind(text) ? std::optional(text) : std::nullopt; });
+                   [](const std::string& text) { return film_kind(text) != nullptr ? std::optional(text) : std::nullopt; });
     const char* rate = "a whole number or a fraction such as 30000/1001";
     add_option(command, film.rate, {"--fps", "RATE", "Pictures a second of a film [30]", rate},
                [](const std::string& text) { return parse_frame_rate(text); });
     const std::string quality = "1 to " + std::to_string(best_film_quality);
     add_option(command, film.quality,
                {"--quality", "Q",
-                "Of .mp4 and .webm, " + quality + " [" + std::to_string(usual_film_quality) + "]; .mkv and .png lose nothing",
+                "Of " + film_endings("and", true) + ", " + quality + " [" + std::to_string(usual_film_quality) +
+                    "]; .mkv and .png lose nothing",
                 "a whole number from " + quality},
                [](const std::string& text) {
                    const auto number = whole_number(text, 1);
@@ -74,12 +75,13 @@ void check_film_options(const CLI::App& command, const RenderOptions& options) {
     if (frames.part) wrong(option, "--part", "all pictures of a film");
     if (frames.skip_existing) wrong(option, "--skip-existing", "all pictures of a film");
     if (!options.film.movie) return;
-    const FilmKind kind = film_kind(*options.film.movie).value();
+    const FilmKind& kind = *film_kind(*options.film.movie);
     if (const std::string rates = rates_instead_of(options.film.rate, kind); !rates.empty()) {
         wrong("--fps", find_option(command, "--fps")->results().front(), rates);
     }
-    if (options.film.quality && !kind.has_quality) {
-        wrong("--quality", in_quotes(*options.film.movie), "a name that ends with .mp4 or .webm: others have no quality to choose");
+    if (options.film.quality && !kind.has_quality()) {
+        wrong("--quality", in_quotes(*options.film.movie),
+              "a name that ends with " + film_endings("or", true) + ": others have no quality to choose");
     }
 }
 

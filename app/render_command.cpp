@@ -94,7 +94,7 @@ ExitCode run_render(const RenderOptions& asked_for) {
     if (std::optional<std::string>& movie = options.film.movie)
         movie = fill_in(*movie, {.name = name_in_patterns(options.scenes.front())});
     // Light needs megabytes of its own, when what was needed before it is given back.
-    if (options.shading == Shading::studio) return_large_blocks();
+    if (is_lit(options.shading)) return_large_blocks();
     Progress progress;
     const auto states = options.frames.manifest ? states_of_inputs(options) : std::map<std::string, FileStates>();
     const std::vector<OpenedScene> scenes = opened_scenes(options, progress);

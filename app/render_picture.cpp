@@ -93,7 +93,7 @@ public:
           progress_(progress),
           drafts_(drafts),
           kept_(kept) {
-        if (options.shading != Shading::studio) return;
+        if (!is_lit(options.shading)) return;
         lighting_.emplace(scene, drawn, options.camera, size_, side_, options.light);
         if (kept_ != nullptr) kept_->begin(lighting_->sets(), side_);
     }
@@ -256,7 +256,7 @@ Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSphere
         timed(timings, Phase::lists, [&] { return build_lists(drawn, options.camera, size, backend.tile_costs); });
     PictureInProgress picture(scene, drawn, lists, options, timings, facts, progress, drafts, kept);
     describe(lists, facts);
-    const bool lit = options.shading == Shading::studio;
+    const bool lit = is_lit(options.shading);
     if (!backend.gpu) {
         facts.spheres_in = "memory";
         const CpuRenderer cpu(drawn, lists, options.camera, size);

@@ -32,7 +32,9 @@ inline void add_scene_options(CLI::App& command, DataOptions& data, FitOptions& 
                 "a number above 0"},
                [](const std::string& text) { return number_above_0(text); });
     add_option(command, data.columns,
-               {"--columns", "LIST", "Columns of a CSV file: x=NAME,y=NAME,z=NAME,radius=NAME; numbers from 1 do as well",
+               {"--columns", "LIST",
+                "Columns of a " + listed(format_names(has_columns), "or") +
+                    " file: x=NAME,y=NAME,z=NAME,radius=NAME; numbers from 1 do as well",
                 column_choices_syntax},
                [](const std::string& text) { return parse_column_choices(text); });
     add_flag(command, data.virtual_sites, "--no-virtual",
@@ -157,7 +159,7 @@ inline void add_light(CLI::App& command, LightOptions& light) {
 
 // Throws for an option about light without that shading.
 inline void check_shows_light(const std::string& option, Shading shading) {
-    if (shading != Shading::studio) throw CLI::ValidationError(option + " needs --shade studio");
+    if (!is_lit(shading)) throw CLI::ValidationError(option + " needs --shade studio");
 }
 
 inline void check_light(const LightOptions& light, Shading shading) {

@@ -38,7 +38,7 @@ LightOptions light_options_from(const LightArguments& arguments) {
 
 Light light_with(const Scene& scene, const LightArguments& arguments, Shading shading) {
     const LightOptions options = light_options_from(arguments);
-    if (options.any() && shading != Shading::studio) {
+    if (options.any() && !is_lit(shading)) {
         const char* first = options.lights ? "lights"
                             : options.sky  ? "sky"
                             : options.key  ? "key"

@@ -1,16 +1,11 @@
 #version 330 core
 // Turns the visible-sphere buffer into colours that show the spheres' shape, for a window. Formulae: docs/shading.md.
-// Twin: src/shade/picture_shader.cpp.
+// Twin: src/shade/picture_shader.cpp. shading_NAME: a mode's number, by its row in src/shade/shading.hpp.
 #include "background.glsl"
 #include "colors.glsl"
 #include "seen.glsl"
 
 out vec4 color;
-
-// The modes. Twin: Shading in src/shade/shading.hpp.
-const int headlight = 1;
-const int normals = 2;
-const int studio = 5;
 
 float between_0_and_1(float value) { return clamp(value, 0.0, 1.0); }
 
@@ -39,14 +34,14 @@ void main() {
     float h = length(q);
     float facing = sqrt(max((1.0 - h) * (1.0 + h), 0.0));
     float depth = between_0_and_1((along - side * (facing * radius) - nearest_depth) * inverse_depth_range);
-    vec3 shaded;
-    if (shading == normals) {
+    vec3 shaded = vec3(1.0, 0.0, 1.0);  // of a mode without a branch here
+    if (shading == shading_normal) {
         vec3 normal = -(side * q) - facing * ray;
         vec3 seen = vec3(dot(normal, axis_right.xyz), dot(normal, axis_up.xyz), dot(normal, axis_toward.xyz));
         shaded = clamp(0.5 + 0.5 * seen, 0.0, 1.0);
-    } else if (shading == headlight) {
+    } else if (shading == shading_headlight) {
         shaded = color_at(index).rgb * (0.3 + 0.7 * facing / (1.0 + depth));
-    } else if (shading == studio) {
+    } else if (shading == shading_studio) {
         // What moves has no shadows: the sky and the key light of a free surface, and the sun. docs/shading.md. Twin:
         // brightness_of_free_sky() and shown_part() in src/shade/brightness.hpp.
         vec3 normal = -(side * q) - facing * ray;
@@ -54,7 +49,7 @@ void main() {
         float sky = 0.62 + 0.45 * sun_light.w * toward_key * toward_key * (0.5 + 0.5 * toward_key);
         float brightness = key_light.w * sky + max(dot(normal, sun_light.xyz), 0.0);
         shaded = color_at(index).rgb * min(1.8 * brightness / (0.8 + brightness), 1.0);
-    } else {
+    } else if (shading == shading_depth) {
         shaded = vec3(1.0 - 0.8 * depth);
     }
     color = vec4(shaded, 1.0);

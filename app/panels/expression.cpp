@@ -1,4 +1,4 @@
-#include "panels/expression.hpp"
+#include "panels/number_field.hpp"
 
 #include <cmath>
 #include <string>

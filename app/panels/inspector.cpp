@@ -154,7 +154,7 @@ private:
         }
         std::size_t shown = 0;
         for (const ExplainedHit& hit : e.hits) {
-            if (!has_sphere(scene_, hit.number)) continue;  // the explanation may be of the scene of the last frame
+            if (!has_sphere(scene_, hit.number)) continue;  // the explanation may be of the scene of the last redraw
             if (shown == most_hits_explained) break;
             draw_hit(hit, shown == 0);
             if (shown == 0) draw_light(pixel);

@@ -264,7 +264,7 @@ private:
 
     const PanelContext& context_;
     SidePanelState& state_;
-    Light light_;                // with all that changed in this frame
+    Light light_;                // with all that changed in this redraw
     std::uint64_t gesture_ = 0;  // of the latest change of a number
 };
 

@@ -1,4 +1,5 @@
-// The menu bar, and the help window with all shortcuts and what the mouse does.
+// The menu bar, the list of all shortcuts and of what the mouse does, and Help > About: the version, what renders, and the licences
+// of the parts.
 #pragma once
 
 #include <span>
@@ -31,5 +32,15 @@ struct MenuKeys {
 // Draws ImGui's main menu bar and returns its height. Follows `keys`, and notes the open menu there. `recent`: paths, the latest
 // first. Widgets: "menu File", "item Save as...", "menu Open recent", "recent 0".
 float draw_menu_bar(const PanelContext& context, const std::vector<std::string>& recent, MenuKeys& keys);
+
+struct About {
+    bool shown = false;
+    std::vector<std::string> lines{};  // of the licences, once they were asked for
+};
+
+// As a window with a close button. `licenses`, which may be null, gives a long text: it is asked for once, when it is first shown.
+// `renderer`: as the status bar names it. Widgets: "about", "about copy".
+void draw_about(const PanelContext& context, About& about, const std::string& name_and_version, std::string (*licenses)(),
+                const std::string& renderer);
 
 }  // namespace sphereview

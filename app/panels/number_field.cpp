@@ -8,7 +8,6 @@
 
 #include "base/number.hpp"
 #include "base/text.hpp"
-#include "panels/expression.hpp"
 #include "panels/widgets.hpp"
 
 namespace sphereview {
@@ -207,7 +206,7 @@ NumberChange draw_drag(const PanelContext& context, NumberFields& fields, const 
         say_what_it_is(name, rule, several.empty() ? shortest(value) : several);
     }
     if (ImGui::IsItemActivated()) begin_drag(context, fields, rule, value);
-    // A frame's movement comes before its release.
+    // A redraw's movement comes before its release.
     if (!active && !ImGui::IsItemDeactivated()) return NumberChange::none;
     const double next = drag_on(fields.drag, rule, context.scale);
     // Also where the field is no longer under the pointer: what is said below another one may have gone meanwhile.

@@ -1,4 +1,4 @@
-#include "panels/play_speed.hpp"
+#include "panels/timeline.hpp"
 
 #include <algorithm>
 

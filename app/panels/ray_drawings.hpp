@@ -1,16 +1,100 @@
-// The inspector's drawings: the plane through the ray, and the ray's quadratics as curves.
+// What the inspector draws: the plane through the ray, and the quadratics of the ray as curves; and what it draws them on, in the
+// coordinates of what they show.
 #pragma once
 
 #include <imgui.h>
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "panels/panel_context.hpp"
 #include "panels/ray_section.hpp"
 
 namespace sphereview {
+
+ImU32 faded(const ImVec4& color, float opacity);
+// The theme's, for what is drawn.
+ImU32 text_color(float opacity);
+// A sphere's own colour, but never so dark, or, in the light theme, so bright that it is lost on the panel.
+ImVec4 line_color(const Scene& scene, std::int32_t number);
+
+// Of a text in a drawing: where there is room for one alone, the other is left out.
+enum class Importance { most, more, some, least };
+
+// A part of the window that is drawn on, and a plane's window that it shows.
+class Canvas {
+public:
+    // As wide as the window has room for. `name`: as what it is noted.
+    Canvas(const PanelContext& context, const char* name, float height_by_width, const SectionWindow& window);
+    ~Canvas();
+    Canvas(const Canvas&) = delete;
+    Canvas& operator=(const Canvas&) = delete;
+
+    ImVec2 low() const { return low_; }
+    ImVec2 high() const { return {low_.x + size_.x, low_.y + size_.y}; }
+    float scale() const { return scale_; }
+    bool hovered() const { return hovered_; }
+    bool clicked() const { return clicked_; }
+    const SectionWindow& window() const { return window_; }
+
+    // Far outside, still near enough for floats to draw straight lines.
+    ImVec2 at(const glm::dvec2& place) const;
+    glm::dvec2 place_of(ImVec2 point) const;
+    // In the window's units.
+    double pixels(float count) const { return static_cast<double>(count * scale_ / size_.x) * (window_.high.x - window_.low.x); }
+
+    void line(const glm::dvec2& from, const glm::dvec2& to, ImU32 color, float thickness) const;
+    void dashes(const glm::dvec2& from, const glm::dvec2& to, ImU32 color, float thickness) const;
+    void curve(const std::vector<glm::dvec2>& points, ImU32 color, float thickness, bool dashed = false) const;
+    void fill(const std::vector<glm::dvec2>& points, ImU32 color) const;
+    void point(const glm::dvec2& place, float radius, ImU32 color, bool filled);
+    // No text is written over a disc there, such as a point. Noted as "NAME mark 0" and so on.
+    void keep_free(ImVec2 middle, float radius);
+    // Notes a text, which is drawn above all else once the drawing is complete. `across`, `down`: which part of the text is to lie
+    // at the place: 0 its left or upper edge, 1 its right or lower.
+    void text(ImVec2 place, float across, float down, const std::string& words, ImU32 color, Importance importance);
+    void cross(const glm::dvec2& place, float reach, ImU32 color, float thickness) const;
+    ImDrawList& list() const { return *list_; }
+
+private:
+    std::vector<ImVec2> places_of(const std::vector<glm::dvec2>& points) const;
+
+    struct Text {
+        ImVec2 place;
+        float across;
+        float down;
+        std::string words;  // in glyphs
+        ImU32 color;
+        Importance importance;
+    };
+    // The most important first: each inside and free of marks and of those before, beside its place or, where there is no room, not
+    // at all. Noted as "NAME text WORDS".
+    void draw_texts();
+
+    struct Box {
+        ImVec2 low;
+        ImVec2 high;
+
+        bool overlaps(const Box& other) const {
+            return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y && other.low.y < high.y;
+        }
+    };
+
+    const PanelContext& context_;
+    std::string name_;
+    std::vector<Text> texts_;
+    std::vector<Box> taken_;  // by marks, then by texts as well
+    SectionWindow window_;
+    float scale_;
+    ImVec2 low_;
+    ImVec2 size_{};
+    ImDrawList* list_ = nullptr;
+    bool hovered_ = false;
+    bool clicked_ = false;
+};
 
 // The colours of a discriminant above 0, at 0 and below.
 ImVec4 color_of_sign(int sign);

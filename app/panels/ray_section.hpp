@@ -1,5 +1,5 @@
-// The plane through a ray: the places of a drawing, without its looks. Lengths are the scene's; x runs along the ray from its
-// origin, y across.
+// The plane through a ray as a drawing, and the quadratics of the ray as curves: where their places are, not how they are drawn.
+// In the plane lengths are the scene's, x runs along the ray from where it begins, and y across.
 #pragma once
 
 #include <cstdint>
@@ -89,5 +89,33 @@ RaySection section_of(const SectionSubject& of, std::optional<std::int32_t> subj
 
 // Points along the part of a circle that may be in the window; the whole circle, closed, if it is small.
 std::vector<glm::dvec2> points_of(const SectionCircle& circle, const SectionWindow& window);
+
+// The quadratic a t^2 + b t + c of a ray and a sphere as a curve, in units of a: t^2 + (b / a) t + c / a.
+struct QuadraticCurve {
+    std::int32_t number = 0;
+    double lowest_t = 0.0;  // -b / (2 a)
+    double lowest = 0.0;    // -discriminant / (4 a^2)
+    int sign = 0;           // of the discriminant
+    double t1 = 0.0;        // where it is not below 0
+    double t2 = 0.0;
+    bool first_counts = false;
+    bool second_counts = false;
+
+    double at(double t) const { return (t - lowest_t) * (t - lowest_t) + lowest; }
+};
+
+// All spheres of a ray have the same a, so their curves are one curve, moved: the lower its lowest point, the larger the
+// discriminant.
+struct QuadraticPlot {
+    std::vector<QuadraticCurve> curves;  // the subject first
+    double left = 0.0;                   // of what is to be drawn, in t
+    double right = 1.0;
+    double bottom = 0.0;  // likewise, in units of a
+    double top = 1.0;
+    bool shows_origin = false;  // t = 0 is in it
+};
+
+// `subject`: as for section_of(), the sphere whose curve the plot is fitted to. No curves where nothing is hit or passed.
+QuadraticPlot plot_of(const PixelExplanation& explanation, std::int32_t subject);
 
 }  // namespace sphereview

@@ -4,7 +4,6 @@
 
 #include "base/number.hpp"
 #include "base/text.hpp"
-#include "panels/drawing_canvas.hpp"
 #include "panels/math_text.hpp"
 #include "panels/ray_drawings.hpp"
 #include "panels/widgets.hpp"

@@ -62,7 +62,7 @@ void draw_buttons(const PanelContext& context, SidePanelState& state) {
                                    {CommandId::hide, hide, "hide"}});
 }
 
-// Nothing where it is not looked for yet: what was typed in this frame is in the next.
+// Nothing where it is not looked for yet: what was typed in this redraw is in the next.
 std::optional<std::vector<std::uint32_t>> filtered(const PanelContext& context, SidePanelState& state) {
     if (!is_searched(context.document, state)) return std::nullopt;
     state.search.finish(context.document.scene());

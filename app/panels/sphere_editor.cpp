@@ -141,7 +141,7 @@ private:
     template <typename Change>
     void change_all(const std::string& what, std::uint64_t gesture, const Change& change) {
         const Scene& scene = context_.document.scene();
-        // Leaving a typed number by a drag of another changes two values in one frame.
+        // Leaving a typed number by a drag of another changes two values in one redraw.
         const ChangeSpheres* earlier =
             last_ ? &std::get<ChangeSpheres>(std::get<EditScene>(context_.actions[*last_]).edit) : nullptr;
         ChangeSpheres edit;
@@ -159,9 +159,9 @@ private:
     SidePanelState& state_;
     const SharedValues& shared_;
     std::uint32_t number_;
-    Sphere sphere_;  // with all that changed in this frame
+    Sphere sphere_;  // with all that changed in this redraw
     const std::vector<std::uint32_t>& numbers_;
-    std::optional<std::size_t> last_;  // the latest of the frame's actions that is an edit from here
+    std::optional<std::size_t> last_;  // the latest of the redraw's actions that is an edit from here
 };
 
 std::string in_words(const SharedValues& shared) {

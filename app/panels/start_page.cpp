@@ -113,7 +113,7 @@ public:
         return clicked || (chosen && has_keys_ && key_pressed(ImGuiKey_Enter));
     }
 
-    // Moves the choice for the next frame.
+    // Moves the choice for the next redraw.
     void move() {
         if (!has_keys_) return;
         if (key_pressed(ImGuiKey_DownArrow)) page_.chosen = std::min(page_.chosen + 1, count_ - 1);

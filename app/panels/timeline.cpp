@@ -4,17 +4,64 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "base/text.hpp"
-#include "panels/timeline_icons.hpp"
 #include "panels/widgets.hpp"
 
 namespace sphereview {
 
 namespace {
 
-ImVec4 own_edits_color() { return on_panel({0.98F, 0.76F, 0.36F, 1.0F}); }
+// What stands on a button, about its middle, so large.
+struct IconPlace {
+    ImVec2 middle;
+    float size;
+    ImU32 color;
+
+    ImVec2 at(float x, float y) const { return {middle.x + x * size, middle.y + y * size}; }
+};
+
+void draw_arrow_head(const IconPlace& icon, ImVec2 tip, ImVec2 along) {
+    constexpr float length = 0.4F;
+    const ImVec2 back{tip.x - length * along.x, tip.y - length * along.y};
+    const ImVec2 side{-length * 0.75F * along.y, length * 0.75F * along.x};
+    ImGui::GetWindowDrawList()->AddTriangleFilled(icon.at(tip.x, tip.y), icon.at(back.x + side.x, back.y + side.y),
+                                                  icon.at(back.x - side.x, back.y - side.y), icon.color);
+}
+
+// Its tip and its back stand at such places across, in sizes from the middle.
+void draw_triangle(const IconPlace& icon, float tip, float back) {
+    ImGui::GetWindowDrawList()->AddTriangleFilled(icon.at(tip, 0.0F), icon.at(back, 0.5F), icon.at(back, -0.5F), icon.color);
+}
+
+// Upright, from such a place across to another.
+void draw_bar(const IconPlace& icon, float left, float right) {
+    ImGui::GetWindowDrawList()->AddRectFilled(icon.at(left, -0.5F), icon.at(right, 0.5F), icon.color);
+}
+
+// What comes behind the last frame.
+void draw_repeat(const IconPlace& icon, Repeat repeat) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const float line = 0.13F * icon.size;
+    if (repeat == Repeat::loop) {
+        constexpr float end = 1.6F * std::numbers::pi_v<float>;
+        constexpr float radius = 0.42F;
+        draw.PathArcTo(icon.middle, radius * icon.size, 0.0F, end, 24);
+        draw.PathStroke(icon.color, 0, line);
+        const ImVec2 to{std::cos(end), std::sin(end)};
+        draw_arrow_head(icon, {radius * to.x - 0.16F * to.y, radius * to.y + 0.16F * to.x}, {-to.y, to.x});
+        return;
+    }
+    draw.AddLine(icon.at(-0.5F, 0.0F), icon.at(0.4F, 0.0F), icon.color, line);
+    draw_arrow_head(icon, {0.55F, 0.0F}, {1.0F, 0.0F});
+    if (repeat == Repeat::back_and_forth) {
+        draw_arrow_head(icon, {-0.55F, 0.0F}, {-1.0F, 0.0F});
+    } else {
+        draw_bar(icon, 0.58F, 0.72F);
+    }
+}
 
 // What stands behind the frame's number.
 std::string frames_text(const PanelContext& context, const TimelineFacts& facts) {
@@ -22,12 +69,7 @@ std::string frames_text(const PanelContext& context, const TimelineFacts& facts)
 }
 
 std::string words_of(EditsReach reach) {
-    switch (reach) {
-        case EditsReach::none: break;
-        case EditsReach::all_frames: return "changes: all frames";
-        case EditsReach::this_frame: return "changes: this frame";
-    }
-    return "";
+    return reach == EditsReach::none ? "" : reach == EditsReach::all_frames ? "changes: all frames" : "changes: this frame";
 }
 
 class Timeline {
@@ -91,7 +133,6 @@ private:
     float reach_width() const {
         return std::max(width_of(words_of(EditsReach::all_frames)), width_of(words_of(EditsReach::this_frame)));
     }
-
     float time_width() const {
         const std::size_t letters = std::max(choices_.time_letters, facts_.time.size());
         return width_of(words_of_time(std::string(letters, '0'), facts_.time_unit));
@@ -108,8 +149,7 @@ private:
             if (shows) room -= width;
         };
         take(shows_number_, number_width() + gap());
-        const bool has_edits = facts_.edits != EditsReach::none;
-        if (has_edits) take(shows_mark_, mark_width() + gap());
+        if (facts_.edits != EditsReach::none) take(shows_mark_, mark_width() + gap());
         if (!facts_.time.empty()) take(shows_time_, time_width() + gap());
         room -= good_line - shortest_line();
         take(shows_steps_, 2.0F * button());
@@ -228,9 +268,8 @@ private:
     void draw_number() {
         if (!shows_number_) return;
         std::string help = "The frame that is shown, of all; the first is 0.";
-        if (facts_.counting) {
+        if (facts_.counting)
             help = "So many frames are found in " + fixed(100.0 * facts_.counted, 0) + " % of the file; the rest is being counted.";
-        }
         if (facts_.edits != EditsReach::none && !shows_mark_) help += "\n" + words_of(facts_.edits);
         ImGui::SetCursorScreenPos(left_);
         ImGui::SetNextItemWidth(field_width());
@@ -256,7 +295,9 @@ private:
     }
 
     bool has_own_edits() const { return facts_.edits == EditsReach::this_frame; }
-    ImVec4 reach_color() const { return has_own_edits() ? own_edits_color() : ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled); }
+    ImVec4 reach_color() const {
+        return has_own_edits() ? on_panel({0.98F, 0.76F, 0.36F, 1.0F}) : ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled);
+    }
     std::string reach_help() const {
         return has_own_edits()
                    ? "Spheres were moved, added, deleted or reordered: of this frame alone.\nBefore another frame is shown you are "

@@ -1,11 +1,9 @@
-#include "viewer/command_table.hpp"
-
+// Every command of the menus: what it is called, what it does, and when.
 #include <algorithm>
 #include <array>
 #include <functional>
 
 #include "edit/selection.hpp"
-#include "viewer/clipboard.hpp"
 #include "viewer/film_export.hpp"
 #include "viewer/frame_player.hpp"
 #include "viewer/perform.hpp"

@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include "viewer/command_table.hpp"
+#include "viewer/perform.hpp"
 
 namespace sphereview {
 

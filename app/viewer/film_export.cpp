@@ -38,17 +38,21 @@ constexpr const char* no_encoder =
 constexpr const char* usual_pictures = "{name}-{frame:05}.png";
 
 bool is_pictures(const std::string& path) {
-    const auto kind = film_kind(path);
+    const FilmKind* kind = film_kind(path);
     return kind && kind->ending == ".png" && has_frame(path);
 }
 
 std::string name_of_scene(const ViewerState& state) { return state.path.empty() ? "untitled" : state.path; }
 
 // The kinds of a film's file; pictures before the animated PNG, which has the same ending.
-std::vector<FileKind> film_kinds(const std::string& name) {
-    return {{"Film, H.264", {".mp4"}, {}, name + ".mp4"},  {"Film, VP9", {".webm"}, {}, name + ".webm"},
-            {"Animated GIF", {".gif"}, {}, name + ".gif"}, {"Pictures", {".png"}, "{frame", usual_pictures},
-            {"Animated PNG", {".png"}, {}, name + ".png"}, {"Lossless film, FFV1", {".mkv"}, {}, name + ".mkv"}};
+std::vector<FileKind> kinds_of_film(const std::string& name) {
+    std::vector<FileKind> kinds;
+    for (const FilmKind& kind : film_kinds()) {
+        if (kind.ending == ".png") kinds.push_back({"Pictures", {".png"}, "{frame", usual_pictures});
+        const std::string ending(kind.ending);
+        kinds.push_back({std::string(kind.title), {ending}, {}, name + ending});
+    }
+    return kinds;
 }
 
 // "33.3 s", "2 min 13 s", "1 h 5 min".
@@ -95,7 +99,7 @@ std::vector<Shot> chosen_shots(const FilmForm& form, const std::string& scene) {
     return shots_of(frames, form.turns() ? form.chosen.turntable : 0);
 }
 
-FrameRate chosen_rate(const FilmForm& form, const std::optional<FilmKind>& kind) {
+FrameRate chosen_rate(const FilmForm& form, const FilmKind* kind) {
     const auto rate = parse_frame_rate(form.chosen.rate);
     const std::string instead = !rate  ? "a whole number or a fraction such as 30000/1001"
                                 : kind ? rates_instead_of(*rate, *kind)
@@ -108,10 +112,10 @@ FrameRate chosen_rate(const FilmForm& form, const std::optional<FilmKind>& kind)
 
 FilmJudgement judgement(const FilmForm& form, const std::string& path, const std::string& scene, bool has_encoder) {
     FilmJudgement judged;
-    const auto kind = film_kind(path);
+    const FilmKind* kind = film_kind(path);
     judged.is_film = !is_pictures(path);
-    judged.has_quality = judged.is_film && kind && kind->has_quality;
-    judged.has_alpha = !judged.is_film || (kind && kind->has_alpha);
+    judged.has_quality = judged.is_film && kind && kind->has_quality();
+    judged.has_alpha = !judged.is_film || (kind && kind->has_alpha());
     try {
         const std::vector<Shot> shots = chosen_shots(form, scene);
         judged.summary = (form.counting && form.takes_frames() ? "At least " : "") + pictures_in_words(shots.size());
@@ -194,7 +198,7 @@ void start_unless_replacing(ViewerState& state, const FilmRequest& request, cons
 
 void ask_for_film(ViewerState& state, const std::string& path, const std::string& fault) {
     FileBrowser browser = saving_dialog(state, "Export film", path, fault);
-    browser.kinds = film_kinds(name_in_patterns(name_of_scene(state)));
+    browser.kinds = kinds_of_film(name_in_patterns(name_of_scene(state)));
     browser.only_kinds = true;
     browser.size = PictureSize{state.settings.film_width, state.settings.film_height};
     browser.view = state.picture_size;

@@ -3,12 +3,17 @@
 #include <imgui.h>
 #include <imgui_impl_opengl3.h>
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
+#include "gpu/picture_texture.hpp"
 #include "platform/font_file.hpp"
 
 namespace sphereview {
@@ -232,5 +237,20 @@ bool ImguiBridge::end_redraw() {
 }
 
 void ImguiBridge::render() { ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData()); }
+
+std::optional<ImTextureID> PictureTexture::follow(const std::shared_ptr<const Image>& picture) {
+    if (!picture || std::max(picture->width(), picture->height()) > gl_limit(GL_MAX_TEXTURE_SIZE)) return std::nullopt;
+    if (picture != uploaded_) {
+        upload(*picture, texture_);
+        constexpr GLint smallest = 4;  // levels: a picture that is drawn still smaller shows nothing any more
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, smallest);
+        glGenerateMipmap(GL_TEXTURE_2D);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+        uploaded_ = picture;
+    }
+    // A number in some releases of ImGui, a pointer in others.
+    using Bits = std::conditional_t<sizeof(ImTextureID) == sizeof(std::uint64_t), std::uint64_t, std::uint32_t>;
+    return std::bit_cast<ImTextureID>(Bits{texture_.name()});
+}
 
 }  // namespace sphereview

@@ -1,13 +1,17 @@
-// Dear ImGui between the window's events and its framebuffer.
+// Dear ImGui between the window's events and its framebuffer, and pictures as ImGui draws them.
 #pragma once
 
+#include <imgui.h>
+
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <vector>
 
+#include "gpu/gl_object.hpp"
+#include "image/image.hpp"
 #include "panels/widgets.hpp"
 #include "platform/window.hpp"
-
-struct ImGuiContext;
 
 namespace sphereview {
 
@@ -44,6 +48,17 @@ private:
     float scale_ = 0.0F;
     float font_pixels_ = 0.0F;  // size of the built fonts
     std::size_t drawn_ = 0;     // a hash of what the last redraw draws
+};
+
+// A picture in the window's context, for ImGui, which draws it smaller than it is.
+class PictureTexture {
+public:
+    // Nothing for no picture, and for one that is larger than the context's textures.
+    std::optional<ImTextureID> follow(const std::shared_ptr<const Image>& picture);
+
+private:
+    std::shared_ptr<const Image> uploaded_{};
+    Texture texture_;
 };
 
 }  // namespace sphereview

@@ -13,7 +13,7 @@
 #include "panels/widgets.hpp"
 #include "viewer/film_export.hpp"
 #include "viewer/frame_player.hpp"
-#include "viewer/pointer_marks.hpp"
+#include "viewer/view_marks.hpp"
 
 namespace sphereview {
 

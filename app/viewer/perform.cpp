@@ -1,6 +1,5 @@
 #include "viewer/perform.hpp"
 
-#include "viewer/command_table.hpp"
 #include "viewer/frame_player.hpp"
 #include "viewer/scene_file.hpp"
 #include "viewer/scene_properties.hpp"

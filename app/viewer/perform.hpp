@@ -1,4 +1,4 @@
-// Carries out what panels, keys and the mouse ask for.
+// Doing what panels, keys, menus and the mouse ask for.
 #pragma once
 
 #include <vector>
@@ -15,5 +15,11 @@ void apply(ViewerState& state, EditScene action);
 // If the view shows the scene's camera, it follows changes of that camera that were made through the view.
 void undo(ViewerState& state);
 void redo(ViewerState& state);
+
+// Does nothing where the command is not enabled.
+void run_command(ViewerState& state, CommandId command);
+
+// Every command as it is now, in the order of the menus.
+std::vector<CommandInfo> commands_of(const ViewerState& state);
 
 }  // namespace sphereview

@@ -81,7 +81,7 @@ private:
 void ask_for_comparison(ViewerState& state) {
     FileBrowser browser = file_dialog(state);
     browser.title = "Compare with a picture";
-    browser.kinds = {{"Pictures", {".png", ".ppm", ".pgm", ".bmp"}}, {"All files", {}}};
+    browser.kinds = {{"Pictures", picture_endings}, {"All files", {}}};
     browser.accept = [&state](const std::string& path, PictureSize) { compare_with(state, path); };
     state.dialogs.push_back(std::move(browser));
 }

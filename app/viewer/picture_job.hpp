@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -89,5 +90,13 @@ void export_now(ViewerState& state);
 
 // File > Export: asks for name and size; asks before it overwrites.
 void ask_for_export(ViewerState& state);
+
+// What is asked for instead of the picture: one sample a pixel, and no more lights than a draft needs.
+PictureOptions draft_options(const Scene& scene, PictureOptions options);
+
+// A lit picture before there is an exact one: lights the picture whose pixels show these spheres: numbers or visible_background,
+// doubtful guesses marked, row by row. Calls show() as light is added; `kept` is given which lights shine where.
+Image lit_draft(const Scene& scene, const PictureOptions& options, std::span<const std::int32_t> seen,
+                const std::function<void(Image)>& show, KeptLight* kept = nullptr);
 
 }  // namespace sphereview

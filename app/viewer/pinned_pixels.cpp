@@ -58,8 +58,7 @@ InspectedPixel inspected_alone(const Scene& scene, const InspectedPlace& place, 
 // Explains the pixel, unless what is kept is of the same. Returns whether it did. `pinned`: it is worth some time.
 bool explain(ViewerState& state, const LivePicture& picture, const PinnedPixel& pixel, bool pinned, PinnedPixels::Explained& beside,
              std::optional<InspectedPixel>& kept) {
-    const std::optional<Light> light =
-        state.settings.shading == Shading::studio ? std::optional(state.shown_light()) : std::nullopt;
+    const std::optional<Light> light = is_lit(state.settings.shading) ? std::optional(state.shown_light()) : std::nullopt;
     const Scene& scene = state.scene();
     const bool with_passed = pinned || scene.spheres.size() <= most_spheres_on_the_way;
     const InspectedPlace place{pixel.pixel, pixel.size, state.inspected_camera(), state.document.revision(), light, with_passed};

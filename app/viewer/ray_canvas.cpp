@@ -2,7 +2,7 @@
 
 #include "camera/navigation.hpp"
 #include "panels/math_text.hpp"
-#include "viewer/pointer_marks.hpp"
+#include "viewer/view_marks.hpp"
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {

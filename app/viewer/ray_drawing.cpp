@@ -10,7 +10,7 @@
 #include "panels/ray_section.hpp"
 #include "panels/widgets.hpp"
 #include "scene/vectors.hpp"
-#include "viewer/pointer_marks.hpp"
+#include "viewer/view_marks.hpp"
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {

@@ -1,4 +1,5 @@
-// The edits of commands, made from the selection and the view.
+// The edits that commands make of what is selected and of the view; and spheres on the clipboard, as the text of a scene: between
+// windows, into an editor and back.
 #pragma once
 
 #include "panels/panel_context.hpp"
@@ -18,5 +19,16 @@ EditScene hide_or_show_selected(const ViewerState& state);
 // Move by one place in the list; need a single selected sphere that can move.
 EditScene move_up(const ViewerState& state);
 EditScene move_down(const ViewerState& state);
+
+// Puts the selected spheres on the clipboard: in the text format, or, where a sphere is hidden or has a name, in the native one.
+// Returns whether that worked; if not, an announcement says why.
+bool copy_selected(ViewerState& state);
+
+// Copies the selected spheres, then deletes them, as one step.
+void cut_selected(ViewerState& state);
+
+// Adds the spheres on the clipboard, as one step, and selects them: where they were, or, if a sphere of the same centre and radius
+// stands there, all of them beside. An announcement says that, or why nothing was pasted.
+void paste(ViewerState& state);
 
 }  // namespace sphereview

@@ -1,7 +1,12 @@
-// Draws the axes, which can be clicked and dragged, the scale bar and other marks over the window's picture, with the lines of an
-// export (app/picture_marks.hpp) in the size of the window's text.
+// What the window draws over its picture to say which way it looks and how large things are: the axes, which can be clicked and
+// dragged, and the scale bar. The same lines as in an export (app/picture_marks.hpp), as large as the window's text asks. And what
+// the mouse does in the picture: the box that selects, the point that the view turns about, the pinned pixels; and the edge of an
+// export.
 #pragma once
 
+#include <imgui.h>
+
+#include <glm/vec2.hpp>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,6 +16,7 @@
 
 namespace sphereview {
 
+class MouseControl;
 struct ViewerState;
 
 // A drag of the axes.
@@ -41,5 +47,31 @@ PictureMarks exported_marks(const ViewerState& state);
 
 // Draws strokes on the screen, relative to `origin`.
 void draw_strokes(std::span<const Stroke> strokes, ImVec2 origin, double pixels);
+
+// The layer behind ImGui's windows, cut off at the picture's edges while this lives.
+class OverPicture {
+public:
+    explicit OverPicture(const Rectangle& picture) : list_(*ImGui::GetBackgroundDrawList()) {
+        list_.PushClipRect({picture.x, picture.y}, {picture.x + picture.width, picture.y + picture.height});
+    }
+    ~OverPicture() { list_.PopClipRect(); }
+    OverPicture(const OverPicture&) = delete;
+    OverPicture& operator=(const OverPicture&) = delete;
+
+    ImDrawList* operator->() const { return &list_; }
+    ImDrawList& list() const { return list_; }
+
+private:
+    ImDrawList& list_;
+};
+
+// Where a place in the picture is on the screen. `pixels`: of a screen coordinate.
+ImVec2 on_screen(const Rectangle& picture, double pixels, const glm::dvec2& place);
+
+// The box, the point and the pins, where they are.
+void draw_pointer_marks(const ViewerState& state, const MouseControl& mouse, const Rectangle& picture, double pixels, float scale);
+
+// Marks what an export shows of the picture, where that is not all. Not over rays in space.
+void draw_export_area(const ViewerState& state, const Rectangle& picture);
 
 }  // namespace sphereview

@@ -8,12 +8,11 @@
 #include <utility>
 
 #include "base/text.hpp"
-#include "viewer/command_table.hpp"
 #include "viewer/frame_player.hpp"
 #include "viewer/perform.hpp"
-#include "viewer/pointer_marks.hpp"
 #include "viewer/ray_drawing.hpp"
 #include "viewer/scene_file.hpp"
+#include "viewer/view_marks.hpp"
 
 namespace sphereview {
 

@@ -14,7 +14,6 @@
 #include "viewer/layout.hpp"
 #include "viewer/mouse_control.hpp"
 #include "viewer/pacing.hpp"
-#include "viewer/picture_texture.hpp"
 #include "viewer/redraw_log.hpp"
 #include "viewer/rest_view.hpp"
 #include "viewer/viewer_state.hpp"

@@ -14,7 +14,6 @@
 #include "app/options.hpp"
 #include "base/file_watcher.hpp"
 #include "camera/fit.hpp"
-#include "panels/about.hpp"
 #include "panels/dialogs.hpp"
 #include "panels/inspector.hpp"
 #include "panels/measuring.hpp"

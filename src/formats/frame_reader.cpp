@@ -30,7 +30,7 @@ const SceneFormat& format_of_stream(InputStream& stream, const DataOptions& opti
     stream.fill(std::min(read_at_once, stream.size().value_or(read_at_once) + 1));
     const SceneFormat& format = detect_format(stream.bytes(), stream.name());
     // Only a table has columns: a name that says nothing does not speak against one.
-    return !options.columns.empty() && format == SceneFormat::text ? *find_format("CSV") : format;
+    return !options.columns.empty() && format == SceneFormat::text ? *std::ranges::find_if(scene_formats(), has_columns) : format;
 }
 
 FrameReader::FrameReader(const std::string& path, DataOptions options)

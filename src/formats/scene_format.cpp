@@ -35,6 +35,7 @@ constexpr std::array<SceneFormat, 12> table = {{
      .endings = {".csv", ".tsv", ".asc"},
      .is_data = true,
      .may_end_in_txt = true,
+     .has_columns = true,
      .sniff = shows_csv,
      .read = read_csv},
     {.name = "PDB", .endings = {".pdb", ".ent"}, .is_data = true, .has_frames = true, .sniff = shows_pdb, .read = read_pdb},

@@ -24,6 +24,7 @@ struct SceneFormat {
     bool may_end_in_txt = false;                // recognised by its beginning also under a name for text
     bool may_be_binary = false;                 // asked first about files with bytes that no text holds
     bool has_frames = false;
+    bool has_columns = false;         // a table, whose columns may be chosen
     bool holds_only_spheres = false;  // no background, camera, light, views, names or hidden spheres
 
     // Whether a text that begins with `head`, without a byte-order mark, is of this format; true only where that is clear.
@@ -62,6 +63,7 @@ const SceneFormat* find_format(std::string_view name);
 inline bool is_data(const SceneFormat& format) { return format.is_data; }
 inline bool is_written(const SceneFormat& format) { return format.write != nullptr; }
 inline bool has_frames(const SceneFormat& format) { return format.has_frames; }
+inline bool has_columns(const SceneFormat& format) { return format.has_columns; }
 
 // The format's endings that are not "".
 std::vector<std::string> endings_of(const SceneFormat& format);

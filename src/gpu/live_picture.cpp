@@ -54,7 +54,9 @@ void fill(const WindowArea& area, const glm::vec4& color) {
 
 }  // namespace
 
-LivePicture::Programs LivePicture::make_programs(const ShaderFiles& files, const std::vector<std::string>& defines) {
+LivePicture::Programs LivePicture::make_programs(const ShaderFiles& files, std::vector<std::string> defines) {
+    for (std::size_t mode = 0; mode < shading_modes.size(); ++mode)
+        defines.push_back("shading_" + std::string(shading_modes.at(mode).name) + " " + std::to_string(mode));
     std::vector<std::string> coarse = defines;
     coarse.emplace_back("COARSE");
     return {make_program("trace.frag", defines, files),

@@ -127,7 +127,7 @@ private:
         Program coarse_surface;
         OutlinePrograms outlines;
     };
-    static Programs make_programs(const ShaderFiles& files, const std::vector<std::string>& defines);
+    static Programs make_programs(const ShaderFiles& files, std::vector<std::string> defines);
 
     void compile(const std::vector<std::string>& defines);
     // Makes the lists anew. `keeps_picture`: the traced picture is of the same spheres and view, and stays.

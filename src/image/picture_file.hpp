@@ -3,10 +3,13 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "image/image.hpp"
 
 namespace sphereview {
+
+inline const std::vector<std::string> picture_endings = {".png", ".ppm", ".pgm", ".bmp"};  // of those that are read
 
 // The picture in a PNG, a PPM or PGM (as text or binary) or a BMP, told apart by their first bytes: RGB, or RGBA where there is
 // alpha. `name`: how messages call the file. Throws InputError for anything else and for a damaged one, and MemoryError when it

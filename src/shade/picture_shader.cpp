@@ -241,7 +241,7 @@ PictureShader::PictureShader(const Scene& scene, const Camera& camera, PictureSi
         }
     }
     axes_ = camera_axes(camera);
-    if (shading == Shading::normal || shading == Shading::studio) return;
+    if (shading == Shading::normal || is_lit(shading)) return;
     range_ = depth_range(scene, camera);
     inverse_range_ = 1.0 / (range_.farthest - range_.nearest);
 }
@@ -249,7 +249,7 @@ PictureShader::PictureShader(const Scene& scene, const Camera& camera, PictureSi
 void PictureShader::shade(const Block& block, std::span<const std::int32_t> visible, Image& picture, Pixel origin,
                           std::span<const LightVector> light, const FreeSky& free) const {
     assert(visible.size() == static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
-    assert(light.size() == (shading_ == Shading::studio ? visible.size() : 0));
+    assert(light.size() == (is_lit(shading_) ? visible.size() : 0));
     const auto width = static_cast<std::size_t>(block.width);
     parallel_for(static_cast<std::size_t>(block.height), [&](std::size_t row) {
         const int y = block.y + static_cast<int>(row);
@@ -260,7 +260,7 @@ void PictureShader::shade(const Block& block, std::span<const std::int32_t> visi
 
 Color PictureShader::color(Pixel pixel, std::int32_t visible, const LightVector& light) const {
     std::array<std::uint8_t, 3> bytes{};
-    const std::span<const LightVector> lights(&light, shading_ == Shading::studio ? 1 : 0);
+    const std::span<const LightVector> lights(&light, is_lit(shading_) ? 1 : 0);
     shade_row(pixel.x, pixel.y, {&visible, 1}, lights, {}, bytes.data(), bytes.size());
     return {bytes[0], bytes[1], bytes[2]};
 }
@@ -294,26 +294,36 @@ void PictureShader::shade_row(int x, int y, std::span<const std::int32_t> visibl
         begin_rays(rays_);
     }
     Hits hits;
-    // The sphere, the hit in `hits` and the pixel in the row.
-    const auto color_of = [&](const Sphere& sphere, std::size_t k, std::size_t column) -> Color {
-        if (shading_ == Shading::studio) {
-            const glm::dvec3 normal{hits.x[k], hits.y[k], hits.z[k]};
-            return lit_color(sphere.color, normal, light[column], free.part > 0.0 ? brightness_of(free, normal, axes_) : 0.0);
+    // The sphere's number; and the hit in `hits` and the pixel in the row, for the modes that depend on the hit.
+    const auto color_of = [&](std::int32_t number, std::size_t k = 0, std::size_t column = 0) -> Color {
+        const Sphere& sphere = scene_.spheres[static_cast<std::size_t>(number)];
+        const auto depth = [&] {
+            const double distance = scale == usual_scale ? hits.distance[k] : std::ldexp(hits.distance[k], usual_scale - scale);
+            return between_0_and_1((distance - range_.nearest) * inverse_range_);
+        };
+        switch (shading_) {
+            case Shading::flat: return sphere.color;
+            case Shading::id: return id_color(static_cast<std::uint32_t>(number));
+            case Shading::headlight: {
+                const double factor = 0.3 + 0.7 * between_0_and_1(hits.facing[k]) / (1.0 + depth());
+                return {times(sphere.color.r, factor), times(sphere.color.g, factor), times(sphere.color.b, factor)};
+            }
+            case Shading::normal: {
+                const auto along = [&](const glm::dvec3& axis) {
+                    return byte_of(0.5 + 0.5 * (hits.x[k] * axis.x + hits.y[k] * axis.y + hits.z[k] * axis.z));
+                };
+                return {along(axes_.right), along(axes_.up), along(-axes_.ahead)};
+            }
+            case Shading::depth: {
+                const std::uint8_t grey = byte_of(1.0 - 0.8 * depth());
+                return {grey, grey, grey};
+            }
+            case Shading::studio: {
+                const glm::dvec3 normal{hits.x[k], hits.y[k], hits.z[k]};
+                return lit_color(sphere.color, normal, light[column], free.part > 0.0 ? brightness_of(free, normal, axes_) : 0.0);
+            }
         }
-        if (shading_ == Shading::normal) {
-            const auto along = [&](const glm::dvec3& axis) {
-                return byte_of(0.5 + 0.5 * (hits.x[k] * axis.x + hits.y[k] * axis.y + hits.z[k] * axis.z));
-            };
-            return {along(axes_.right), along(axes_.up), along(-axes_.ahead)};
-        }
-        const double distance = scale == usual_scale ? hits.distance[k] : std::ldexp(hits.distance[k], usual_scale - scale);
-        const double depth = between_0_and_1((distance - range_.nearest) * inverse_range_);
-        if (shading_ == Shading::depth) {
-            const std::uint8_t grey = byte_of(1.0 - 0.8 * depth);
-            return {grey, grey, grey};
-        }
-        const double factor = 0.3 + 0.7 * between_0_and_1(hits.facing[k]) / (1.0 + depth);
-        return {times(sphere.color.r, factor), times(sphere.color.g, factor), times(sphere.color.b, factor)};
+        return {};  // no such mode
     };
     const bool of_numbers = !depends_on_hit(shading_);
     for (auto run = visible.begin(); run != visible.end();) {
@@ -321,9 +331,7 @@ void PictureShader::shade_row(int x, int y, std::span<const std::int32_t> visibl
         const auto end = std::find_if(run, visible.end(), [=](std::int32_t other) { return other != number; });
         if (of_numbers || number < 0) {
             const auto count = static_cast<std::size_t>(end - run);
-            const Color color = number < 0                ? background_.color
-                                : shading_ == Shading::id ? id_color(static_cast<std::uint32_t>(number))
-                                                          : scene_.spheres[static_cast<std::size_t>(number)].color;
+            const Color color = number < 0 ? background_.color : color_of(number);
             const bool clear = number < 0 && background_.transparent;
             const std::array<std::uint8_t, 4> pixel = {color.r, color.g, color.b, clear ? std::uint8_t{0} : std::uint8_t{255}};
             fill(out, count, pixel.data(), channels);
@@ -346,7 +354,7 @@ void PictureShader::shade_row(int x, int y, std::span<const std::int32_t> visibl
             if (side == EyeSide::in_plane) span.sphere.side = side_of(origin_side(sphere, side, camera_, size_, first));
             find_hits(span, hits);
             for (std::size_t k = 0; k < span.count; ++k, out += channels) {
-                const Color color = color_of(sphere, k, static_cast<std::size_t>(run - visible.begin()) + k);
+                const Color color = color_of(number, k, static_cast<std::size_t>(run - visible.begin()) + k);
                 const std::array<std::uint8_t, 4> bytes = {color.r, color.g, color.b, 255};
                 std::copy_n(bytes.data(), channels, out);
             }

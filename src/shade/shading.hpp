@@ -1,5 +1,6 @@
-// The ways in which a picture can be coloured: one table for the command line, the menus and the settings. A new one is a row here,
-// its formula in picture_shader.cpp and its twin in shaders/surface.frag. docs/shading.md has the formulae.
+// The ways in which a picture can be coloured: one table for the command line, the menus, the settings and the shaders. A new one
+// is a name and a row here, and its formula twice: in picture_shader.cpp and in shaders/surface.frag. docs/shading.md has the
+// formulae.
 #pragma once
 
 #include <array>
@@ -20,6 +21,7 @@ struct ShadingMode {
     std::string_view title;  // in the menu
     std::string_view help;   // one sentence
     bool depends_on_hit;     // on where the ray hits, not on the sphere alone
+    bool is_lit = false;     // by the lights of the scene, with their shadows
 };
 
 // By their values.
@@ -29,12 +31,14 @@ inline constexpr std::array<ShadingMode, 6> shading_modes = {{
     {"normal", "Normals", "Shading: the direction that the surface faces, as a colour.", true},
     {"depth", "Depth", "Shading: the distance from the eye, from white to dark grey.", true},
     {"id", "False colours", "Shading: a colour for each sphere that tells it from the others.", false},
-    {"studio", "Studio", "Shading: sky, key light and sun, with their shadows.", true},
+    {"studio", "Studio", "Shading: sky, key light and sun, with their shadows.", true, true},
 }};
 
 constexpr std::string_view name_of(Shading shading) { return shading_modes[static_cast<std::size_t>(shading)].name; }
 
 constexpr bool depends_on_hit(Shading shading) { return shading_modes[static_cast<std::size_t>(shading)].depends_on_hit; }
+
+constexpr bool is_lit(Shading shading) { return shading_modes[static_cast<std::size_t>(shading)].is_lit; }
 
 constexpr std::optional<Shading> shading_named(std::string_view name) {
     for (std::size_t i = 0; i < shading_modes.size(); ++i) {

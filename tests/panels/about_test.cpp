@@ -1,5 +1,5 @@
 // Help > About.
-#include "panels/about.hpp"
+#include "panels/menus.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "panels/expression.hpp"
 #include "panels/widgets.hpp"
 #include "support/panel_harness.hpp"
 

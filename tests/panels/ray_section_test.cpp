@@ -6,8 +6,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "panels/quadratic_plot.hpp"
-
 namespace sphereview {
 
 namespace {

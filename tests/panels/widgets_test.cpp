@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "panels/drawing_canvas.hpp"
 #include "panels/menus.hpp"
+#include "panels/ray_drawings.hpp"
 #include "panels/widgets.hpp"
 #include "support/panel_harness.hpp"
 

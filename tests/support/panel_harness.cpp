@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "viewer/command_table.hpp"
+#include "viewer/perform.hpp"
 
 namespace sphereview {
 

@@ -6,7 +6,7 @@
 
 #include "camera/fit.hpp"
 #include "support/spheres.hpp"
-#include "viewer/command_table.hpp"
+#include "viewer/perform.hpp"
 
 namespace sphereview {
 namespace {

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "support/temporary_folder.hpp"
-#include "viewer/command_table.hpp"
 #include "viewer/perform.hpp"
 #include "viewer/scene_file.hpp"
 #include "viewer/scene_saving.hpp"

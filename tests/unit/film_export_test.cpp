@@ -13,7 +13,6 @@
 #include "support/eventually.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/text_match.hpp"
-#include "viewer/command_table.hpp"
 #include "viewer/film_job.hpp"
 #include "viewer/perform.hpp"
 #include "viewer/scene_file.hpp"

@@ -11,7 +11,6 @@
 #include "support/environment.hpp"
 #include "support/eventually.hpp"
 #include "support/temporary_folder.hpp"
-#include "viewer/command_table.hpp"
 #include "viewer/frame_player.hpp"
 #include "viewer/perform.hpp"
 #include "viewer/scene_file.hpp"

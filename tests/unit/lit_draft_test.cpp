@@ -1,5 +1,5 @@
 // A lit picture that grows: how it begins, and that it never is darker than it ends.
-#include "viewer/lit_draft.hpp"
+#include "viewer/picture_job.hpp"
 
 #include <gtest/gtest.h>
 

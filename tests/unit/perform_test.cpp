@@ -8,7 +8,6 @@
 #include "base/number.hpp"
 #include "camera/navigation.hpp"
 #include "support/spheres.hpp"
-#include "viewer/command_table.hpp"
 #include "viewer/layout.hpp"
 
 namespace sphereview {

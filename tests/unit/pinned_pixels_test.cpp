@@ -9,7 +9,6 @@
 #include "support/eventually.hpp"
 #include "support/spheres.hpp"
 #include "support/temporary_folder.hpp"
-#include "viewer/command_table.hpp"
 #include "viewer/perform.hpp"
 #include "viewer/scene_file.hpp"
 

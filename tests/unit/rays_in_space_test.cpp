@@ -11,7 +11,6 @@
 #include "exact/explain.hpp"
 #include "support/eventually.hpp"
 #include "support/spheres.hpp"
-#include "viewer/command_table.hpp"
 #include "viewer/hidden_parts.hpp"
 #include "viewer/perform.hpp"
 #include "viewer/viewer_state.hpp"

@@ -180,6 +180,15 @@ TEST(SceneFormats, OfDataHaveMimeTypes) {
     }
 }
 
+// A scene of many spheres has them in a block, one of few has a table for each.
+TEST(SceneFormats, OfScenesHaveAMimeTypeByWhatTheyBeginWith) {
+    const std::string types(InputFile(test::source_file("packaging/sphereview.mime.xml")).bytes());
+    EXPECT_NE(types.find("value=\"[[sphere]]\""), std::string::npos);
+    EXPECT_NE(write_scene(scene_of_alike(10), SceneFormat::toml).substr(0, 1024).find("[[sphere]]"), std::string::npos);
+    EXPECT_NE(types.find("value=\"spheres = &quot;&quot;&quot;\""), std::string::npos);
+    EXPECT_NE(write_scene(scene_of_alike(2000), SceneFormat::toml).substr(0, 1024).find("spheres = \"\"\""), std::string::npos);
+}
+
 TEST(LostIn, NamesWhatTheTextFormatCannotHold) {
     Scene scene = scene_of_alike(3);
     EXPECT_EQ(lost_in(scene, SceneFormat::text), "");

@@ -14,7 +14,7 @@
 #include "support/no_threads.hpp"
 #include "support/temporary_folder.hpp"
 #include "viewer/box_selection.hpp"
-#include "viewer/command_table.hpp"
+#include "viewer/perform.hpp"
 #include "viewer/scene_file.hpp"
 
 namespace sphereview {
