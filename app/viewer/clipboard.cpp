@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <glm/geometric.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,7 +48,7 @@ glm::dvec3 way_to_free_places(const ViewerState& state, const std::vector<Sphere
     std::ranges::sort(taken);
     double step = 0.0;
     for (const Sphere& sphere : pasted) step = std::max(step, sphere.radius);
-    const glm::dvec3 right = glm::normalize(state.camera.right);
+    const glm::dvec3 right = camera_axes(state.camera).right;
     constexpr int most_steps = 1000;
     for (int i = 0; i < most_steps; ++i) {
         const glm::dvec3 by = i * step * right;

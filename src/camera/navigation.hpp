@@ -23,6 +23,9 @@ Camera with_projection(const Camera& camera, Projection projection, double depth
 // How deep a point lies, in multiples of the distance from the eye to the screen along the view's axis (1: in the screen's plane).
 double depth_of(const Camera& camera, const glm::dvec3& point);
 
+// How far a vector leads along the screen, in multiples of `right` and of `up`.
+glm::dvec2 across_screen(const Camera& camera, const glm::dvec3& v);
+
 // The point at that depth on the ray through a place in the picture (pixels from the top left corner, pixel (0, 0)'s centre is
 // (0.5, 0.5)).
 glm::dvec3 point_at(const Camera& camera, PictureSize size, const glm::dvec2& place, double depth);
