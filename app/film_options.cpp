@@ -27,8 +27,7 @@ std::optional<FilmKind> film_kind(std::string_view path) {
                                                 {".gif", false, false, 50},
                                                 {".png", false, true, 65'535},
                                                 {".mkv", false, true, 1000}}};
-    const std::string name = lower_case(path);
-    const auto found = std::ranges::find_if(kinds, [&](const FilmKind& kind) { return name.ends_with(kind.ending); });
+    const auto found = std::ranges::find_if(kinds, [&](const FilmKind& kind) { return has_ending(path, kind.ending); });
     return found == kinds.end() ? std::nullopt : std::optional(*found);
 }
 

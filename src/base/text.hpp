@@ -91,6 +91,9 @@ std::string composed(std::string_view text);
 // `text` in lower case; ASCII letters only.
 std::string lower_case(std::string_view text);
 
+// Whether a file's name has that ending (".txt"), in capitals or not.
+bool has_ending(std::string_view name, std::string_view ending);
+
 // For how many i of [begin, end) `is(i)` holds. Where `is` looks at bytes alone and does not branch, compilers make SIMD of it:
 // the sums of up to 255 places fit in a byte.
 template <typename Is>
