@@ -18,20 +18,13 @@
 namespace sphereview {
 
 // A scene and how messages call the file it came from.
-struct LoadedScene {
-    Scene scene{};
+struct LoadedScene : SphereData {
     std::string name{};
     SceneFormat format = SceneFormat::text;
-    std::int64_t frames = 1;                    // in the file
-    std::optional<FrameTime> time{};            // SphereData::time
-    bool all_frames = true;                     // else there may be more (LoadOptions::counts_frames)
-    std::optional<double> radius_of_points{};   // SphereData::radius_of_points
-    std::vector<std::string> warnings{};        // SphereData::warnings
-    std::vector<std::string> notes{};           // SphereData::notes
-    std::vector<std::string> property_names{};  // SphereData::property_names
-    AppliedLook look{};                         // what the options' look has made of it
-    bool fitted = false;                        // its camera was moved to see everything
-    std::optional<glm::dvec3> middle{};         // of all frames that one camera shows; none: the scene's own
+    bool all_frames = true;              // else there may be more than `frames` (LoadOptions::counts_frames)
+    AppliedLook look{};                  // what the options' look has made of it
+    bool fitted = false;                 // its camera was moved to see everything
+    std::optional<glm::dvec3> middle{};  // of all frames that one camera shows; none: the scene's own
 
     // Whether its camera is its own; else nobody has chosen one, and it is fitted unless that is forbidden.
     bool has_camera() const { return !format.is_data; }
@@ -69,9 +62,6 @@ Camera chosen_camera(const LoadedScene& loaded, const FitOptions& fit);
 
 // Whether the camera is moved to see everything.
 bool is_to_fit(const LoadedScene& loaded, const FitOptions& fit);
-
-// What the reading of a file of data, or of a frame of it, gave.
-LoadedScene loaded_from(SphereData data, const std::string& name, const SceneFormat& format);
 
 // Gives what was read the background, the look and the camera that the options ask for. Throws InputError.
 void complete(LoadedScene& loaded, const LoadOptions& options);
