@@ -12,8 +12,8 @@ namespace sphereview {
 // groups and of its address space. Nothing where that cannot be told (only Linux tells).
 std::optional<std::uint64_t> available_memory();
 
-// What is left of the limits of its control groups and of those around them, of version 1 or 2; nothing where they set none, and
-// elsewhere than on Linux. `root`: the folder that holds /proc and /sys.
+// What is left of the limits of its control group (version 2) and of those around it; nothing where they set none, and elsewhere
+// than on Linux. `root`: the folder that holds /proc and /sys.
 std::optional<std::uint64_t> memory_left_in_groups(const std::string& root = "");
 
 // What is left of a limit on this process's address space (ulimit -v); nothing where there is none.
