@@ -17,6 +17,7 @@
 #include "base/program.hpp"
 #include "base/text.hpp"
 #include "base/user_folders.hpp"
+#include "formats/lines.hpp"
 #include "gpu/live_picture.hpp"
 #include "image/compare.hpp"
 #include "platform/gl_context.hpp"
@@ -176,8 +177,7 @@ Json probe_apart(const std::string& name, double timeout_seconds) {
         result.output = probe(name);
     }
     const auto failed = [&](RenderFault fault, const std::string& reason) {
-        std::string_view said = trimmed(result.errors);
-        said = said.substr(said.find_last_of("\r\n") + 1);
+        const std::string_view said = last_line(trimmed(result.errors));
         const std::string why = culprit + reason + (said.empty() ? "" : "; it said: " + std::string(said));
         return Json{{"works", false}, {"reason", why}, {"fault", static_cast<int>(fault)}};
     };

@@ -34,8 +34,7 @@ std::span<const FilmKind> film_kinds() {
 }
 
 const FilmKind* film_kind(std::string_view path) {
-    const std::string name = lower_case(path);
-    const auto found = std::ranges::find_if(film_kinds(), [&](const FilmKind& kind) { return name.ends_with(kind.ending); });
+    const auto found = std::ranges::find_if(film_kinds(), [&](const FilmKind& kind) { return has_ending(path, kind.ending); });
     return found == film_kinds().end() ? nullptr : &*found;
 }
 

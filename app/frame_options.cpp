@@ -135,7 +135,7 @@ void require_picture_words(const CLI::App& command, const std::vector<std::strin
     for (std::size_t i = 0; i < words.size(); ++i) {
         const CLI::Option* option = find_option(command, words[i]);
         if (option == nullptr || name_in_pictures(*option) != words[i]) {
-            throw CLI::ValidationError("found " + in_quotes(words[i]) + ", expected options that say what a picture looks like");
+            throw CLI::ValidationError(found_expected(words[i], "options that say what a picture looks like"));
         }
         if (takes_value(*option)) ++i;
     }

@@ -1,9 +1,9 @@
 #include "app/frame_ranges.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "formats/sphere_data.hpp"
 
 namespace sphereview {
@@ -12,12 +12,7 @@ namespace {
 
 // One number, or none between two colons.
 bool parse_part(std::string_view text, std::optional<std::int64_t>& number) {
-    if (text.empty()) return true;
-    std::int64_t value = 0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (read.ec != std::errc{} || read.ptr != text.data() + text.size()) return false;
-    number = value;
-    return true;
+    return text.empty() || parse_whole(text, number.emplace());
 }
 
 std::optional<FrameRange> parse_range(std::string_view text) {

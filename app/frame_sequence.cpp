@@ -145,7 +145,7 @@ void FrameSequence::read_alone(std::int64_t frame) {
     SphereData data = read_data(frame);
     const std::size_t count = data.scene.spheres.size();
     require_memory_for_spheres(reader_->name(), count, bytes_to_draw_a_sphere);
-    present_ = loaded_from(std::move(data), reader_->name(), reader_->format());
+    present_ = {std::move(data), reader_->name(), reader_->format()};
     hide_and_light(present_.scene, changes_);  // what is hidden counts for no range
     if (look_.any()) present_.look = apply_look(present_.scene, look_, present_.name, present_.property_names);
     color_and_size(present_.scene, changes_);

@@ -73,7 +73,7 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
     }
     const std::size_t count = data.scene.spheres.size();
     require_memory_for_spheres(loaded.name, count, options.more_per_sphere);
-    return loaded_from(std::move(data), loaded.name, loaded.format);
+    return {std::move(data), loaded.name, loaded.format};
 }
 
 // Of files that take a moment to go through.
@@ -90,26 +90,12 @@ std::optional<LoadedScene> read_up_to_frame(const std::string& path, const LoadO
     FrameReader reader(path, with_properties(options.data, options.look));
     if (reader.format().step_over == nullptr) return std::nullopt;
     const std::int64_t enough = options.data.frame + 2;
-    LoadedScene loaded = loaded_from(read_frame(reader, options, enough), reader.name(), reader.format());
+    LoadedScene loaded{read_frame(reader, options, enough), reader.name(), reader.format()};
     loaded.all_frames = loaded.frames < enough;
     return loaded;
 }
 
 }  // namespace
-
-LoadedScene loaded_from(SphereData data, const std::string& name, const SceneFormat& format) {
-    LoadedScene loaded;
-    loaded.name = name;
-    loaded.format = format;
-    loaded.scene = std::move(data.scene);
-    loaded.frames = data.frames;
-    loaded.time = std::move(data.time);
-    loaded.radius_of_points = data.radius_of_points;
-    loaded.warnings = std::move(data.warnings);
-    loaded.notes = std::move(data.notes);
-    loaded.property_names = std::move(data.property_names);
-    return loaded;
-}
 
 std::optional<FitOptions> fit_from(const std::string& view) {
     if (const auto axes = parse_view(view)) return FitOptions{true, axes, {}, {}, {}, {}};

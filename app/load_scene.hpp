@@ -18,20 +18,13 @@
 namespace sphereview {
 
 // A scene, with what else was read of its file.
-struct LoadedScene {
-    Scene scene{};
+struct LoadedScene : SphereData {
     std::string name{};
     SceneFormat format = SceneFormat::text;
-    std::int64_t frames = 1;                    // in the file
-    std::optional<FrameTime> time{};            // SphereData::time
-    bool all_frames = true;                     // false: there may be more (LoadOptions::counts_frames)
-    std::optional<double> radius_of_points{};   // SphereData::radius_of_points
-    std::vector<std::string> warnings{};        // SphereData::warnings
-    std::vector<std::string> notes{};           // SphereData::notes
-    std::vector<std::string> property_names{};  // SphereData::property_names
-    AppliedLook look{};                         // the result of the options' look
-    bool fitted = false;                        // the camera was moved to see everything
-    std::optional<glm::dvec3> middle{};         // of all frames that share a camera; none: the scene's own
+    bool all_frames = true;              // false: there may be more than `frames` (LoadOptions::counts_frames)
+    AppliedLook look{};                  // the result of the options' look
+    bool fitted = false;                 // the camera was moved to see everything
+    std::optional<glm::dvec3> middle{};  // of all frames that share a camera; none: the scene's own
 
     // Whether the file has a camera. Without one the camera is fitted, unless that is forbidden.
     bool has_camera() const { return !format.is_data; }
@@ -71,10 +64,7 @@ Camera chosen_camera(const LoadedScene& loaded, const FitOptions& fit);
 // Whether the camera is to be fitted.
 bool is_to_fit(const LoadedScene& loaded, const FitOptions& fit);
 
-// The scene of data that was read from a file, or of one frame of it.
-LoadedScene loaded_from(SphereData data, const std::string& name, const SceneFormat& format);
-
-// Applies the options' background, look and camera to a scene that was read. Throws InputError.
+// Gives a scene that was read the options' background, look and camera. Throws InputError.
 void complete(LoadedScene& loaded, const LoadOptions& options);
 
 // Reads a scene file of any format, or standard input for "-"; only a small part of a text is in memory at a time. Throws

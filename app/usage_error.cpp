@@ -76,7 +76,9 @@ std::string in_words(CLI::App& command, const CLI::ParseError& error) {
         const std::string name = unknown->starts_with("--") ? unknown->substr(0, unknown->find('=')) : *unknown;
         return "unknown option " + in_quotes(name) + similar_option(command, name);
     }
-    const std::string said = error.what();
+    std::string said = error.what();
+    if (dynamic_cast<const CLI::RequiresError*>(&error) != nullptr) said.replace(said.find(" requires "), 10, " needs ");
+    if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr) said.replace(said.find(" excludes "), 10, " does not go with ");
     const bool lacks_value =
         dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr || dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
     CLI::Option* option = lacks_value ? find_option(command, said.substr(0, said.find_first_of(": "))) : nullptr;

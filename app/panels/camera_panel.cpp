@@ -12,6 +12,7 @@
 #include "panels/number_field.hpp"
 #include "panels/side_panel.hpp"
 #include "panels/widgets.hpp"
+#include "scene/vectors.hpp"
 
 namespace sphereview {
 
@@ -27,7 +28,7 @@ void draw_vector(const PanelContext& context, const char* label, const glm::dvec
     ImGui::AlignTextToFramePadding();
     // What is far below the last digit of the largest is the rounding of turns.
     constexpr double nothing_beside = 1e-12;
-    const double largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+    const double largest = largest_of(v);
     const auto text = [&](double part) { return short_text(std::fabs(part) < nothing_beside * largest ? 0.0 : part); };
     ImGui::TextDisabled("%s, %s, %s", text(v.x).c_str(), text(v.y).c_str(), text(v.z).c_str());
     explain_item(shortest(v.x) + "\n" + shortest(v.y) + "\n" + shortest(v.z));

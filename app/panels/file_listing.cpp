@@ -33,8 +33,6 @@ fs::path typed_path(std::string_view typed, const fs::path& folder) {
     return path.has_filename() || !path.has_relative_path() ? path : path.parent_path();
 }
 
-bool has_ending(std::string_view name, std::string_view ending) { return lower_case(name).ends_with(lower_case(ending)); }
-
 namespace {
 
 bool is_wanted(const FileEntry& entry, const std::vector<std::string>& endings, bool hidden_files) {

@@ -14,9 +14,6 @@ namespace sphereview {
 // The typed text as an absolute path, without white space around it: ~ is the home folder, a relative path lies in `folder`.
 std::filesystem::path typed_path(std::string_view typed, const std::filesystem::path& folder);
 
-// Whether a file's name has the ending (".txt"), in any letter case.
-bool has_ending(std::string_view name, std::string_view ending);
-
 struct Listing {
     std::vector<FileEntry> entries;  // ".." first, then folders, then files; unsorted
     std::string error;               // why there is no listing

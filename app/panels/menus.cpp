@@ -13,7 +13,7 @@ namespace sphereview {
 
 namespace {
 
-constexpr auto mouse_table = std::to_array<MouseHelp>({
+constexpr auto mouse_table = std::to_array<std::pair<const char*, const char*>>({
     {"Left-drag on a selected sphere", "Moves the selected spheres parallel to the screen; with Shift in depth."},
     {"Ctrl+wheel over a selected sphere", "Scales the selected spheres."},
     {"Left-drag elsewhere", "Orbits about the point under the pointer, or, beside all spheres, the middle of what is seen."},
@@ -52,7 +52,7 @@ void draw_table(const PanelContext& context, const std::string& title, const std
 
 void draw_mouse(const PanelContext& context) {
     std::vector<std::vector<std::string>> lines;
-    for (const MouseHelp& line : mouse_table) lines.push_back({std::string(line.mouse), std::string(line.help)});
+    for (const auto& [mouse, help] : mouse_table) lines.push_back({mouse, help});
     draw_table(context, "Mouse", lines);
 }
 
@@ -177,8 +177,6 @@ void draw_menu(const PanelContext& context, const std::string& menu, const std::
 }
 
 }  // namespace
-
-std::span<const MouseHelp> mouse_help() { return mouse_table; }
 
 void draw_help(const PanelContext& context, bool& open) {
     if (!open) return;

@@ -2,21 +2,12 @@
 // of the parts.
 #pragma once
 
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "panels/panel_context.hpp"
 
 namespace sphereview {
-
-// A row of the help's table of the mouse.
-struct MouseHelp {
-    std::string_view mouse;  // "Left-drag on a selected sphere"
-    std::string_view help;   // "Moves it parallel to the screen; with Shift in depth."
-};
-std::span<const MouseHelp> mouse_help();
 
 // Draws the help window while `open`; its close button makes `open` false.
 void draw_help(const PanelContext& context, bool& open);

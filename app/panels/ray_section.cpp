@@ -64,7 +64,7 @@ public:
     Plane(const SectionSubject& of, const Sphere* subject)
         : origin_(of.explanation.origin), along_(unit(of.explanation.direction)), camera_(of.camera) {
         const glm::dvec3 up = across(of.camera.up);
-        const glm::dvec3 usual = glm::length(up) > 1e-9 * glm::length(of.camera.up) ? unit(up) : unit(across(of.camera.right));
+        const glm::dvec3 usual = length_of(up) > 1e-9 * length_of(of.camera.up) ? unit(up) : unit(across(of.camera.right));
         across_ = usual;
         if (subject != nullptr) {
             const glm::dvec3 to_center = subject->center - origin_;

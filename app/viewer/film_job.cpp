@@ -23,7 +23,7 @@ std::shared_ptr<FrameSequence> open_sequence(const FilmRequest& request, FilmSta
         sequence->set_changes(request.changes);
         return sequence;
     }
-    LoadedScene scene{.scene = *request.shown, .name = options.scenes.front(), .format = SceneFormat::toml};
+    LoadedScene scene{{.scene = *request.shown}, options.scenes.front(), SceneFormat::toml};
     hide_and_light(scene.scene, {.light = request.changes.light});
     scene.look.coloring = request.coloring;
     return std::make_shared<FrameSequence>(std::move(scene), options);

@@ -199,7 +199,7 @@ void FramesAhead::read_one(Shared& shared, FrameReader& reader, LoadOptions opti
         SphereData data = reader.read(*task.frame);
         // One radius for all: made of each frame's own distances it would come and go.
         if (data.radius_of_points) reader.set_radius_of_points(*data.radius_of_points);
-        loaded = loaded_from(std::move(data), reader.name(), reader.format());
+        loaded = {std::move(data), reader.name(), reader.format()};
         complete(loaded, options);
     } catch (...) {
         fault = describe_current_exception(reader.name()).message;

@@ -18,17 +18,17 @@ constexpr double on_surface = 1e-7;  // of a depth
 
 std::optional<double> hit_depth(const Camera& camera, PictureSize size, const glm::dvec2& place, const Sphere& sphere) {
     const glm::dvec3 origin = point_at(camera, size, place, 0.0);
-    const glm::dvec3 ray = point_at(camera, size, place, 1.0) - origin;
+    const glm::dvec3 to_screen = point_at(camera, size, place, 1.0) - origin;
+    const glm::dvec3 ray = unit(to_screen);
     const glm::dvec3 to_center = sphere.center - origin;
-    const double square = dot(ray, ray);
-    // How deep the ray is where it is nearest to the centre, and how far that is.
-    const double along = dot(to_center, ray) / square;
+    // Where the ray is nearest to the centre, and how far that is.
+    const double along = dot(to_center, ray);
     const glm::dvec3 beside = to_center - along * ray;
-    const double inside = (sphere.radius * sphere.radius - dot(beside, beside)) / square;
+    const double inside = sphere.radius * sphere.radius - dot(beside, beside);
     if (!(inside >= 0.0)) return std::nullopt;
     const double near = along - std::sqrt(inside);
-    const double depth = near > 0.0 ? near : along + std::sqrt(inside);
-    return depth > 0.0 ? std::optional(depth) : std::nullopt;
+    const double distance = near > 0.0 ? near : along + std::sqrt(inside);
+    return distance > 0.0 ? std::optional(distance / length_of(to_screen)) : std::nullopt;
 }
 
 std::int32_t HiddenParts::seen_at(const glm::dvec2& place) const {

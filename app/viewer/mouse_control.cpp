@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "panels/widgets.hpp"
+#include "scene/vectors.hpp"
 #include "viewer/hidden_parts.hpp"
 
 namespace sphereview {
@@ -59,7 +60,7 @@ glm::dvec3 middle_of_seen(const PictureState& state) {
 double part_of_picture(const Camera& camera, const SceneBounds& bounds) {
     const double depth = camera.orthographic() ? 1.0 : depth_of(camera, bounds.middle());
     if (!(depth > 0.0)) return std::numeric_limits<double>::infinity();
-    return 0.5 * bounds.extent() / (depth * glm::length(camera.right));
+    return 0.5 * bounds.extent() / (depth * length_of(camera.right));
 }
 
 // The part where zooming out ends. A scene whose own camera shows it as small as that can be seen at half that size all the same.
@@ -248,11 +249,11 @@ void MouseControl::move_spheres(const PictureMouse& mouse, const PictureState& s
         const Camera& camera = state.camera;
         const glm::dvec3 away = camera.orthographic() ? depth_of(camera, from) * (camera.center - camera.eye) : from - camera.eye;
         by = (std::exp(zoom_per_pixel * (base_place_.y - mouse.place.y)) - 1.0) * away;
-        pixel = zoom_per_pixel * glm::length(away);
+        pixel = zoom_per_pixel * length_of(away);
     } else {
         const double depth = depth_of(state.camera, grabbed_point_);
         by = point_at(state.camera, state.size, mouse.place, depth) - point_at(state.camera, state.size, base_place_, depth);
-        pixel = 2.0 * (state.camera.orthographic() ? 1.0 : depth) * glm::length(state.camera.right) / state.size.shorter_side();
+        pixel = 2.0 * (state.camera.orthographic() ? 1.0 : depth) * length_of(state.camera.right) / state.size.shorter_side();
     }
     // A hand moves by pixels: more digits than that would only be noise in the file.
     for (int i = 0; i < 3; ++i) by[i] = rounded_to(by[i], exponent_of_pixel(pixel));

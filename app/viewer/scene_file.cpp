@@ -263,7 +263,7 @@ void adopt(ViewerState& state, LoadedScene loaded, const std::string& path) {
 }
 
 void new_scene(ViewerState& state) {
-    with_edits_safe(state, [&state] { adopt(state, {.format = SceneFormat::toml}, ""); });
+    with_edits_safe(state, [&state] { adopt(state, {{}, "", SceneFormat::toml}, ""); });
 }
 
 void open_scene(ViewerState& state, const std::string& path) {

@@ -17,6 +17,7 @@
 #include "formats/scene_format.hpp"
 #include "panels/math_text.hpp"
 #include "panels/widgets.hpp"
+#include "scene/vectors.hpp"
 #include "viewer/perform.hpp"
 #include "viewer/viewer_state.hpp"
 
@@ -55,15 +56,14 @@ bool move_out_of_others(const Scene& scene, const glm::dvec3& direction, Sphere&
 // shows none.
 Sphere in_a_free_place(const ViewerState& state, const Sphere& sphere) {
     constexpr int ways = 8;
-    const glm::dvec3 right = glm::normalize(state.camera.right);
-    const glm::dvec3 up = glm::normalize(state.camera.up);
+    const CameraAxes axes = camera_axes(state.camera);
     Sphere beside = sphere;
-    move_out_of_others(state.scene(), right, beside);
+    move_out_of_others(state.scene(), axes.right, beside);
     std::optional<double> nearest;
     for (int i = 0; i < ways; ++i) {
         const auto [upward, rightward] = sine_cosine(i * 360.0 / ways);
         Sphere moved = sphere;
-        if (!move_out_of_others(state.scene(), rightward * right + upward * up, moved)) continue;
+        if (!move_out_of_others(state.scene(), rightward * axes.right + upward * axes.up, moved)) continue;
         const auto place = place_of(state.camera, state.picture_size, moved.center);
         const bool is_seen = place && place->x > 0.0 && place->y > 0.0 && place->x < state.picture_size.width &&
                              place->y < state.picture_size.height;
@@ -92,7 +92,7 @@ EditScene add_sphere(const ViewerState& state) {
     sphere.center = point_at(state.camera, state.picture_size, middle, depth);
     // A tenth of what the picture's shorter side shows there.
     const glm::dvec2 beside = middle + glm::dvec2(0.1 * state.picture_size.shorter_side(), 0.0);
-    sphere.radius = glm::distance(point_at(state.camera, state.picture_size, beside, depth), sphere.center);
+    sphere.radius = length_of(point_at(state.camera, state.picture_size, beside, depth) - sphere.center);
     sphere.color = new_colors[count % new_colors.size()];
     sphere.radius = rounded_to(sphere.radius, last_digit(sphere.radius, 3));
     sphere = in_a_free_place(state, sphere);
@@ -104,12 +104,11 @@ EditScene add_sphere(const ViewerState& state) {
 EditScene duplicate_selected(const ViewerState& state) {
     InsertSpheres insert;
     auto next = static_cast<std::uint32_t>(state.scene().spheres.size());
+    const glm::dvec3 right = camera_axes(state.camera).right;  // beside the original, where the copy can be seen
     for (const std::uint32_t number : state.selection.numbers()) {
         NamedSphere copy{state.scene().spheres[number], name_of(state.scene(), number)};
         if (!copy.name.empty()) copy.name += " copy";
-        // Beside the original, where it can be seen.
-        const glm::dvec3 right = state.camera.right;
-        copy.sphere.center += copy.sphere.radius / glm::length(right) * right;
+        copy.sphere.center += copy.sphere.radius * right;
         insert.numbers.push_back(next++);
         insert.spheres.push_back(std::move(copy));
     }
@@ -161,7 +160,7 @@ glm::dvec3 way_to_free_places(const ViewerState& state, const std::vector<Sphere
     std::ranges::sort(taken);
     double step = 0.0;
     for (const Sphere& sphere : pasted) step = std::max(step, sphere.radius);
-    const glm::dvec3 right = glm::normalize(state.camera.right);
+    const glm::dvec3 right = camera_axes(state.camera).right;
     constexpr int most_steps = 1000;
     for (int i = 0; i < most_steps; ++i) {
         const glm::dvec3 by = i * step * right;

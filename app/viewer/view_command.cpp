@@ -88,11 +88,11 @@ void set_icon(Window& window) {
 
 // A small scene is there, or refused, before there is a window; of another one this much is waited for.
 void load_first_scene(ViewerState& state) {
-    if (!state.options.scene) return adopt(state, {.format = SceneFormat::toml}, "");
+    if (!state.options.scene) return adopt(state, {{}, "", SceneFormat::toml}, "");
     const std::string path = *state.options.scene;
     const LoadOptions options = load_options(state, path, state.options.data.frame);
     if (is_read_at_once(path)) return adopt_first_scene(state, load_scene(path, options));
-    adopt(state, {.format = SceneFormat::toml}, "");
+    adopt(state, {{}, "", SceneFormat::toml}, "");
     const auto fail = [&state](const std::string& why) { report_error(state, "The scene cannot be opened", why); };
     const auto accept = unless_edited(state, [&state, fail](LoadedScene loaded) {
         try {

@@ -25,7 +25,7 @@ constexpr std::size_t member_end_size = 8;                  // its sum and its s
 
 std::string_view without_gzip_ending(std::string_view name) {
     constexpr std::string_view ending = ".gz";
-    if (lower_case(name).ends_with(ending)) name.remove_suffix(ending.size());
+    if (has_ending(name, ending)) name.remove_suffix(ending.size());
     return name;
 }
 

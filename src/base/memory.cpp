@@ -14,10 +14,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <array>
 #include <fstream>
 #include <limits>
-#include <string_view>
 #endif
 
 namespace sphereview {
@@ -40,42 +38,25 @@ std::optional<std::uint64_t> number_in_file(const std::string& path, std::string
     return number;
 }
 
-// How a version of control groups calls what it says of memory, below /sys/fs/cgroup.
-struct GroupFiles {
-    const char* folder;
-    const char* limit;
-    const char* used;
-    std::array<const char*, 2> dropped;  // pages of files in "stat", which the system drops when memory is wanted
-};
-constexpr GroupFiles version_1 = {"/memory", "limit_in_bytes", "usage_in_bytes", {"total_inactive_file", "total_active_file"}};
-constexpr GroupFiles version_2 = {"", "max", "current", {"inactive_file", "active_file"}};
-
-// The least that is left in the group at `path` and in those around it.
-std::uint64_t left_in_group(const std::string& root, std::string path, const GroupFiles& files) {
-    for (std::uint64_t least = unlimited;; path.resize(std::min(path.rfind('/'), path.size() - 1))) {
-        const std::string folder = root + "/sys/fs/cgroup" + files.folder + path + "/memory.";
-        std::uint64_t used = number_in_file(folder + files.used).value_or(0);
-        for (const char* pages : files.dropped) used = difference(used, number_in_file(folder + "stat", pages).value_or(0));
-        if (const auto limit = number_in_file(folder + files.limit)) least = std::min(least, difference(*limit, used));
-        if (path.empty()) return least;
-    }
-}
-
 }  // namespace
 
 std::optional<std::uint64_t> memory_left_in_groups(const std::string& root) {
-    std::uint64_t least = unlimited;
     std::ifstream groups(root + "/proc/self/cgroup");
-    for (std::string line; std::getline(groups, line);) {  // "4:memory:/a/b"; of version 2 "0::/a/b"
-        const std::size_t first = std::min(line.find(':'), line.size());
-        const std::size_t second = line.find(':', first + 1);
-        if (second == std::string::npos) continue;
-        const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";
-        const std::string path = line.substr(second + 1);
-        if (controllers == ",,") least = std::min(least, left_in_group(root, path, version_2));
-        if (controllers.find(",memory,") != std::string::npos) least = std::min(least, left_in_group(root, path, version_1));
+    std::string path;
+    while (std::getline(groups, path) && !path.starts_with("0::")) {}
+    if (!groups) return std::nullopt;
+    path.erase(0, 3);  // "/a/b" is left
+    // The group and those around it.
+    for (std::uint64_t least = unlimited;; path.resize(std::min(path.rfind('/'), path.size() - 1))) {
+        const std::string files = root + "/sys/fs/cgroup" + path + "/memory.";
+        std::uint64_t used = number_in_file(files + "current").value_or(0);
+        // Of pages of files, which the system drops when memory is wanted.
+        for (const char* pages : {"inactive_file", "active_file"}) {
+            used = difference(used, number_in_file(files + "stat", pages).value_or(0));
+        }
+        if (const auto limit = number_in_file(files + "max")) least = std::min(least, difference(*limit, used));
+        if (path.empty()) return least != unlimited ? std::optional(least) : std::nullopt;
     }
-    return least != unlimited ? std::optional(least) : std::nullopt;
 }
 
 std::optional<std::uint64_t> address_space_left() {

@@ -12,8 +12,8 @@ namespace sphereview {
 // address space. Nothing if unknown (only Linux tells).
 std::optional<std::uint64_t> available_memory();
 
-// Bytes left of the limits of the process's control groups and their parents, of version 1 or 2; nothing without limits, and on
-// other systems than Linux. `root`: the folder that holds /proc and /sys.
+// Bytes left of the limits of the process's control group (of version 2) and of its parents; nothing without limits, and on other
+// systems than Linux. `root`: the folder that holds /proc and /sys.
 std::optional<std::uint64_t> memory_left_in_groups(const std::string& root = "");
 
 // Bytes left of a limit on the address space (ulimit -v); nothing without one.

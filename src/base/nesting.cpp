@@ -26,68 +26,45 @@ std::size_t behind_string(std::string_view text, std::size_t begin) {
     return text.size();
 }
 
-// The offset behind the string or comment at `begin`.
-std::size_t behind_string_or_comment(std::string_view text, std::size_t begin) {
-    return text[begin] == '#' ? std::min(text.find('\n', begin), text.size()) : behind_string(text, begin);
+// The offset from `begin` on where visit(offset, how many brackets are open behind it) is true first, or else the text's size. What
+// stands in strings and comments is not visited.
+template <typename Visit>
+std::size_t find_place(std::string_view text, std::size_t begin, const Visit& visit) {
+    int brackets = 0;
+    for (std::size_t i = begin; i < text.size(); ++i) {
+        switch (text[i]) {
+            case '"':
+            case '\'': i = behind_string(text, i) - 1; continue;
+            case '#': i = std::min(text.find('\n', i), text.size()) - 1; continue;
+            case '[':
+            case '{': ++brackets; break;
+            case ']':
+            case '}': brackets = std::max(brackets - 1, 0); break;
+            default: break;
+        }
+        if (visit(i, brackets)) return i;
+    }
+    return text.size();
+}
+
+bool ends_key(char c) { return c == '\n' || c == '=' || c == ',' || c == ':' || c == '[' || c == ']' || c == '{' || c == '}'; }
+
+// The offset of the line's end behind the statement at `begin`, or behind the key of a table's head.
+std::size_t behind_statement(std::string_view text, std::size_t begin) {
+    return find_place(text, begin, [&](std::size_t i, int brackets) { return text[i] == '\n' && brackets == 0; });
 }
 
 }  // namespace
 
 std::optional<TooDeep> find_too_deep(std::string_view text) {
-    int brackets = 0;
     int dots = 0;  // in what may be one key
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        switch (text[i]) {
-            case '"':
-            case '\'':
-            case '#': i = behind_string_or_comment(text, i) - 1; break;
-            case '.':
-                if (++dots >= most_nested) return TooDeep{i, true};
-                break;
-            case '[':
-            case '{':
-                dots = 0;
-                if (++brackets > most_nested) return TooDeep{i, false};
-                break;
-            case ']':
-            case '}':
-                dots = 0;
-                brackets = std::max(brackets - 1, 0);
-                break;
-            case '=':
-            case ',':
-            case ':':
-            case '\n': dots = 0; break;
-            default: break;
-        }
-    }
-    return std::nullopt;
+    const std::size_t place = find_place(text, 0, [&](std::size_t i, int brackets) {
+        if (text[i] == '.') return ++dots >= most_nested;
+        if (ends_key(text[i])) dots = 0;
+        return brackets > most_nested;
+    });
+    return place < text.size() ? std::optional(TooDeep{place, text[place] == '.'}) : std::nullopt;
 }
-
-namespace {
-
-// The offset of the line's end behind the statement at `begin`, or behind the key of a table's head.
-std::size_t behind_statement(std::string_view text, std::size_t begin) {
-    int brackets = 0;
-    for (std::size_t i = begin; i < text.size(); ++i) {
-        switch (text[i]) {
-            case '"':
-            case '\'':
-            case '#': i = behind_string_or_comment(text, i) - 1; break;
-            case '[':
-            case '{': ++brackets; break;
-            case ']':
-            case '}': brackets = std::max(brackets - 1, 0); break;
-            case '\n':
-                if (brackets == 0) return i;
-                break;
-            default: break;
-        }
-    }
-    return text.size();
-}
-
-}  // namespace
 
 std::optional<KeyInText> find_unknown_key(std::string_view text, std::span<const std::string> known) {
     constexpr std::string_view bare = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-";

@@ -75,13 +75,18 @@ std::string decimal(double value, std::chars_format format, int digits) {
     return {buffer.data(), end.ptr};
 }
 
+int decimal_exponent(double value, int digits) {
+    const std::string text = decimal(value, std::chars_format::scientific, digits);
+    const std::size_t begin = text.find('e') + (text[text.find('e') + 1] == '+' ? 2 : 1);
+    int exponent = 0;
+    parse_whole(std::string_view(text).substr(begin), exponent);
+    return exponent;
+}
+
 double round_number_below(double most) {
     if (!(most > 0.0) || !std::isfinite(most)) return 0.0;
     // Through text: no power of ten is inexact there.
-    const std::string text = decimal(most, std::chars_format::scientific, 0);
-    int exponent = 0;
-    const std::size_t digits = text.find('e') + (text[text.find('e') + 1] == '+' ? 2 : 1);
-    parse_whole(std::string_view(text).substr(digits), exponent);
+    const int exponent = decimal_exponent(most, 0);
     // Rounding to one digit may have led to the next power.
     for (const int power : {exponent, exponent - 1}) {
         for (const char* digit : {"5", "2", "1"}) {

@@ -240,6 +240,8 @@ std::string lower_case(std::string_view text) {
     return lower;
 }
 
+bool has_ending(std::string_view name, std::string_view ending) { return lower_case(name).ends_with(lower_case(ending)); }
+
 namespace {
 
 // Levenshtein's distance: the fewest insertions, deletions and substitutions of one character.

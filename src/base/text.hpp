@@ -90,6 +90,9 @@ std::string composed(std::string_view text);
 // `text` in lower case; ASCII letters only.
 std::string lower_case(std::string_view text);
 
+// Whether a file's name has the ending (".txt"), in any letter case.
+bool has_ending(std::string_view name, std::string_view ending);
+
 // The number of i in [begin, end) for which is(i) holds. If `is` reads bytes and does not branch, this becomes SIMD: sums of up to
 // 255 fit in a byte.
 template <typename Is>

@@ -112,6 +112,15 @@ double depth_of(const Camera& camera, const glm::dvec3& point) {
     return glm::dot(point - camera.eye, directions.ahead) / glm::dot(camera.center - camera.eye, directions.ahead);
 }
 
+glm::dvec2 across_screen(const Camera& camera, const glm::dvec3& v) {
+    // Brought near 1 by a power of two, which rounds nothing: so no square leaves the range of doubles.
+    const int exponent = -exponent_of(largest_of(camera.right));
+    const glm::dvec3 right = times_two_to(camera.right, exponent);
+    const glm::dvec3 up = times_two_to(camera.up, exponent);
+    const glm::dvec3 part = times_two_to(v, exponent);
+    return {dot(part, right) / dot(right, right), dot(part, up) / dot(up, up)};
+}
+
 glm::dvec3 point_at(const Camera& camera, PictureSize size, const glm::dvec2& place, double depth) {
     const glm::dvec2 screen = on_screen(size, place - middle_of(size));
     if (camera.orthographic()) {
@@ -126,9 +135,8 @@ std::optional<glm::dvec2> place_of(const Camera& camera, PictureSize size, const
     const glm::dvec3 axis = camera.center - camera.eye;
     const glm::dvec3 way = point - camera.eye;
     const glm::dvec3 there = camera.orthographic() ? way - depth * axis : way / depth - axis;
-    const double across = glm::dot(there, camera.right) / glm::dot(camera.right, camera.right);
-    const double upward = glm::dot(there, camera.up) / glm::dot(camera.up, camera.up);
-    const glm::dvec2 place = middle_of(size) + 0.5 * size.shorter_side() * glm::dvec2(across, -upward);
+    const glm::dvec2 across = across_screen(camera, there);
+    const glm::dvec2 place = middle_of(size) + 0.5 * size.shorter_side() * glm::dvec2(across.x, -across.y);
     return std::isfinite(place.x) && std::isfinite(place.y) ? std::optional(place) : std::nullopt;
 }
 

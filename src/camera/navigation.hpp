@@ -22,6 +22,9 @@ Camera with_projection(const Camera& camera, Projection projection, double depth
 // A point's depth along the view's axis: 1 is the screen's plane.
 double depth_of(const Camera& camera, const glm::dvec3& point);
 
+// How far a vector leads along the screen, in multiples of `right` and of `up`.
+glm::dvec2 across_screen(const Camera& camera, const glm::dvec3& v);
+
 // The point at `depth` on the ray through a place in the picture, in pixels: the centre of pixel (0, 0) is (0.5, 0.5).
 glm::dvec3 point_at(const Camera& camera, PictureSize size, const glm::dvec2& place, double depth);
 

@@ -20,9 +20,7 @@ struct Homogeneous {
 Homogeneous homogeneous(const Camera& camera, const glm::dvec3& point) {
     Homogeneous found;
     found.depth = depth_of(camera, point);
-    const glm::dvec3 beside = (point - camera.eye) - found.depth * (camera.center - camera.eye);
-    found.across = {glm::dot(beside, camera.right) / glm::dot(camera.right, camera.right),
-                    glm::dot(beside, camera.up) / glm::dot(camera.up, camera.up)};
+    found.across = across_screen(camera, (point - camera.eye) - found.depth * (camera.center - camera.eye));
     if (!camera.orthographic()) found.divisor = found.depth;
     return found;
 }
@@ -73,8 +71,7 @@ std::optional<ProjectedLine> projected_line(const Camera& camera, PictureSize si
         return glm::dvec2(0.5 * size.width + 0.5 * m * across.x, 0.5 * size.height - 0.5 * m * across.y);
     };
     const auto depth = [&](double along) { return (1.0 - along) * a.depth + along * b.depth; };
-    const ProjectedLine line{at(part.begin), at(part.end), depth(part.begin), depth(part.end),
-                             part.begin,     part.end,     camera.projection};
+    const ProjectedLine line{at(part.begin), at(part.end), depth(part.begin), depth(part.end), camera.projection};
     const bool finite = std::isfinite(line.from.x) && std::isfinite(line.from.y) && std::isfinite(line.to.x) &&
                         std::isfinite(line.to.y) && line.from_depth > 0.0 && line.to_depth > 0.0;
     return finite ? std::optional(line) : std::nullopt;

@@ -15,9 +15,6 @@ struct ProjectedLine {
     glm::dvec2 to{0.0};
     double from_depth = 1.0;
     double to_depth = 1.0;
-    // The part of the scene's line: 0 its beginning, 1 its end.
-    double from_part = 0.0;
-    double to_part = 1.0;
     Projection projection = Projection::perspective;
 
     glm::dvec2 place_at(double part) const { return (1.0 - part) * from + part * to; }

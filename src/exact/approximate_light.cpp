@@ -19,8 +19,7 @@ constexpr double room_for_others = 0x1p64;
 
 // The direction times a power of two of its own, with a largest component below 1: its length changes no sign.
 ApproximateVector scaled_direction(const glm::dvec3& direction) {
-    int exponent = 0;
-    std::frexp(largest_of(direction), &exponent);
+    const int exponent = exponent_of(largest_of(direction));
     return {moved(direction.x, -exponent), moved(direction.y, -exponent), moved(direction.z, -exponent)};
 }
 

@@ -12,6 +12,7 @@
 
 #include "base/parallel.hpp"
 #include "exact/exact_decision.hpp"
+#include "scene/vectors.hpp"
 
 namespace sphereview {
 
@@ -26,10 +27,7 @@ constexpr int middle_exponent = 13;
 constexpr double smallest_radius = 0x1p-100;  // a smaller radius differs from this one by less than any bound
 
 // The largest of a sphere's numbers, relative to the eye; infinite when a difference overflows.
-double size_of(const Sphere& sphere, const glm::dvec3& eye) {
-    const glm::dvec3 c = sphere.center - eye;
-    return std::max({std::fabs(c.x), std::fabs(c.y), std::fabs(c.z), sphere.radius});
-}
+double size_of(const Sphere& sphere, const glm::dvec3& eye) { return std::max(largest_of(sphere.center - eye), sphere.radius); }
 
 bool in_range(double size) { return size >= smallest_size && size < largest_size; }
 
@@ -148,7 +146,7 @@ int scale_for(const Scene& scene, const glm::dvec3& eye, const std::vector<std::
     });
     if (out_of_range * 2 <= all) return 0;
     std::vector<int> exponents(all);
-    for (std::size_t i = 0; i < all; ++i) std::frexp(std::min(size_at(i), 0x1p1023), &exponents[i]);
+    for (std::size_t i = 0; i < all; ++i) exponents[i] = exponent_of(std::min(size_at(i), 0x1p1023));
     const auto median = exponents.begin() + static_cast<std::ptrdiff_t>(exponents.size() / 2);
     std::nth_element(exponents.begin(), median, exponents.end());
     return middle_exponent - *median;

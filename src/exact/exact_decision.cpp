@@ -22,8 +22,7 @@ inline int side_in_double(const glm::dvec3& c, double r) {
 
 EyeSide side_of_hard_sphere(const Sphere& sphere, const glm::dvec3& eye) {
     // The same with the largest number brought to [1/2, 1).
-    int exponent = 0;
-    std::frexp(std::max({largest_of(sphere.center), largest_of(eye), sphere.radius}), &exponent);
+    const int exponent = exponent_of(std::max({largest_of(sphere.center), largest_of(eye), sphere.radius}));
     const int side =
         side_in_double(times_two_to(sphere.center, -exponent) - times_two_to(eye, -exponent), std::ldexp(sphere.radius, -exponent));
     if (side != 0) return side > 0 ? EyeSide::outside : EyeSide::inside;

@@ -90,14 +90,9 @@ Approximate moved(const Approximate& value, int exponent) {
 double size_from(const glm::dvec3& eye, const Sphere& sphere) { return std::max(largest_of(sphere.center - eye), sphere.radius); }
 
 SphereScale::SphereScale(const glm::dvec3& eye, double largest) : eye_(eye) {
-    constexpr int beyond_doubles = 1025;  // the exponent of what overflows
-    int exponent = beyond_doubles;
-    if (std::isfinite(largest)) {
-        std::frexp(largest, &exponent);
-    } else {
-        part_ = 0.25;  // the bits that the smallest doubles lose so are too small for this scale anyway
-    }
-    exponent_ = size_exponent - exponent;
+    constexpr int beyond_doubles = 1025;        // the exponent of what overflows
+    if (!std::isfinite(largest)) part_ = 0.25;  // the bits that the smallest doubles lose so are too small for this scale anyway
+    exponent_ = size_exponent - (std::isfinite(largest) ? exponent_of(largest) : beyond_doubles);
     // In two steps, each a power that a double holds; no product in between is out of range if the last is not.
     first_ = std::ldexp(1.0, exponent_ / 2);
     second_ = std::ldexp(1.0 / part_, exponent_ - exponent_ / 2);
@@ -137,12 +132,10 @@ ExactBasis::ExactBasis(const Camera& camera) {
         component = two_sum(part * camera.center[i], -part * camera.eye[i]);
         largest = std::max(largest, std::fabs(component.high));
     }
-    int exponent = 0;
-    std::frexp(largest, &exponent);
+    const int exponent = exponent_of(largest);
     // Directions and origins of rays have powers of two of their own.
     orthographic = camera.orthographic();
-    int of_edges = exponent;
-    if (orthographic) std::frexp(largest_edge, &of_edges);
+    const int of_edges = orthographic ? exponent_of(largest_edge) : exponent;
     edge_exponent = quarters ? of_edges + 2 : of_edges;
     // Coefficients stay below 2^32, rays below 2^62.
     const auto scaled = [&](double value, int by) { return unless_too_small(value, std::ldexp(value, -by), error); };
@@ -287,8 +280,7 @@ std::optional<int> NearestHit::power_sign_by_differences(const ScaledSphere& sph
         if (!std::isfinite(difference.high)) return std::nullopt;
         largest = std::max(largest, std::fabs(difference.high));
     }
-    int exponent = 0;
-    std::frexp(largest, &exponent);
+    const int exponent = exponent_of(largest);
     const auto scaled = [&](const TwoDoubles& difference) { return times_power(difference, 0.0, -exponent); };
     Approximate power = -(scaled(apart[3]) * (sphere.radius + best.radius));
     for (std::size_t axis = 0; axis < 3; ++axis) {

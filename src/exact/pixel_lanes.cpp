@@ -43,11 +43,8 @@ BoundedSphere::BoundedSphere(const Sphere& sphere, const glm::dvec3& eye, double
     const auto in_range = [](double s) { return s > smallest_double_size && s < largest_double_size; };
     if (!in_range(size())) {
         const bool overflows = !std::isfinite(largest_of(center));
-        int exponent = 0;
-        std::frexp(overflows ? std::max(largest_of(sphere.center), largest_of(eye)) : largest_of(center), &exponent);
-        int of_radius = 0;
-        std::frexp(std::max(radius, reach), &of_radius);
-        exponent = std::clamp(std::max(exponent, of_radius), -950, 1024);
+        const int of_center = exponent_of(overflows ? std::max(largest_of(sphere.center), largest_of(eye)) : largest_of(center));
+        const int exponent = std::clamp(std::max(of_center, exponent_of(std::max(radius, reach))), -950, 1024);
         const auto scaled = [=](double value) { return std::ldexp(value, -exponent); };
         unit = std::ldexp(1.0 / distance_unit, exponent);
         for (int axis = 0; axis < 3; ++axis) {

@@ -10,12 +10,6 @@ namespace sphereview {
 
 namespace {
 
-int exponent_of(double value) {
-    int exponent = 0;
-    std::frexp(value, &exponent);
-    return exponent;
-}
-
 // Where rays begin: the edges divided by the side.
 template <typename Real>
 void set_origins(RayBasis<Real>& basis, const Camera& camera, PictureSize size, int scale) {

@@ -315,7 +315,7 @@ SphereData read_crystal(const TextSource& source, cif::Table& table, const DataO
     require_memory(most * sizeof(Sphere), source.name + ": up to " + in_groups(most) + " spheres need");
     Atoms atoms;
     atoms.spheres.reserve(table.length());
-    enum PropertyPlace : std::size_t { element_place, atom_place, occupancy_place, u_iso_place };
+    enum : std::size_t { element_place, atom_place, occupancy_place, u_iso_place };
     const std::vector<PropertyColumn> columns = {{"element", PropertyKind::words, element_place},
                                                  {"atom", PropertyKind::words, atom_place},
                                                  {"occupancy", PropertyKind::real, occupancy_place},

@@ -2,22 +2,20 @@
 
 #include <algorithm>
 
+#include "base/text.hpp"
+
 namespace sphereview {
 
 namespace {
 
 constexpr std::string_view blanks = " \t";
 
-std::string_view without_blanks(std::string_view text) {
-    return text.substr(std::min(text.find_first_not_of(blanks), text.size()));
-}
-
 // What stands behind `KEY =` on a line that begins so; else nothing.
 std::string_view behind_key(std::string_view line, std::string_view key) {
-    line = without_blanks(line);
+    line = trimmed(line, blanks);
     if (!line.starts_with(key)) return {};
-    line = without_blanks(line.substr(key.size()));
-    return line.starts_with('=') ? without_blanks(line.substr(1)) : std::string_view{};
+    line = trimmed(line.substr(key.size()), blanks);
+    return line.starts_with('=') ? trimmed(line.substr(1), blanks) : std::string_view{};
 }
 
 // Only what numbers, and nan, are written with, and lines that end as TOML has it: then each byte stands for itself.
@@ -65,7 +63,7 @@ std::optional<NumberLiterals> find_number_literals(std::string_view content) {
             // Behind the quotes there may be a comment, which may look like anything.
             continue;
         }
-        in_table = in_table || without_blanks(line).starts_with('[');
+        in_table = in_table || trimmed(line, blanks).starts_with('[');
         if (line.find("\"\"\"") != std::string_view::npos || line.find("'''") != std::string_view::npos) break;
     }
     if (found.literals.empty()) return std::nullopt;

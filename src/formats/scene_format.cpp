@@ -143,7 +143,7 @@ std::string name_fault(std::string_view path) {
     const SceneFormat& named = format_of_name(path);
     const bool packed = without_gzip_ending(path) != path;
     for (const std::string_view picture : {".png", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".ppm", ".pgm"}) {
-        if (lower_case(path).ends_with(picture))
+        if (has_ending(path, picture))
             return "a picture's name, expected one that ends with " + listed(format_endings(is_written), "or");
     }
     if (is_written(named) && !packed) return "";

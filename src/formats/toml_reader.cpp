@@ -129,8 +129,7 @@ std::uint32_t sphere_number(const TomlText& document, const toml::source_positio
     const bool whole = parse_whole(text, number) && (text.size() == 1 || text[0] != '0');
     if (whole && number < scene.spheres.size()) return static_cast<std::uint32_t>(number);
     fail(document, place,
-         "found " + in_quotes(text) + ", expected the number of one of " + std::to_string(scene.spheres.size()) +
-             " spheres, from 0");
+         found_expected(text, "the number of one of " + std::to_string(scene.spheres.size()) + " spheres, from 0"));
 }
 
 // What is said of single spheres of the text: [names] and `hidden`.

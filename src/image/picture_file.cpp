@@ -160,8 +160,6 @@ Decoder decoder_of(std::string_view bytes, const std::string& name) {
 
 }  // namespace
 
-Image decode_picture(std::string_view bytes, const std::string& name) { return decoder_of(bytes, name)(bytes, name); }
-
 Image read_picture(const std::string& path) {
     constexpr std::size_t longest_mark = 12;
     InputStream stream(path, Content::binary);

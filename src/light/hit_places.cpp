@@ -60,8 +60,7 @@ HitPlaces::HitPlaces(const Camera& camera, PictureSize size, int scale)
 }
 
 int HitPlaces::scale_for(const Sphere& sphere, const glm::dvec3& eye) {
-    int exponent = 0;
-    std::frexp(std::max({largest_of(sphere.center), largest_of(eye), sphere.radius}), &exponent);
+    const int exponent = exponent_of(std::max({largest_of(sphere.center), largest_of(eye), sphere.radius}));
     return std::clamp(-exponent, -largest_scale, largest_scale);
 }
 

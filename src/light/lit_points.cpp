@@ -221,7 +221,7 @@ LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<cons
     if (box.low.x <= box.high.x) {
         points.middle = 0.5 * box.low + 0.5 * box.high;
         half = std::max(largest_of(0.5 * box.high - 0.5 * box.low), 0x1p-24 * largest_of(points.middle));
-        std::frexp(std::max(half, smallest_double_size), &points.exponent);
+        points.exponent = exponent_of(std::max(half, smallest_double_size));
     }
 
     for (auto* component : {&points.x, &points.y, &points.z}) component->resize(count);

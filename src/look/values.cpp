@@ -54,18 +54,10 @@ struct RoundStep {
     }
 };
 
-int exponent_of(double value) {
-    const std::string text = decimal(value, std::chars_format::scientific, 17);
-    const std::size_t digits = text.find('e') + (text[text.find('e') + 1] == '+' ? 2 : 1);
-    int exponent = 0;
-    parse_whole(std::string_view(text).substr(digits), exponent);
-    return exponent;
-}
-
 std::string tick_text(double value, const RoundStep& step, double largest) {
     if (step.exponent >= -4 && largest < 1e6) return fixed(value, std::max(-step.exponent, 0));
     if (value == 0.0) return "0";
-    const int digits = std::clamp(exponent_of(value) - step.exponent, 0, 16);
+    const int digits = std::clamp(decimal_exponent(value) - step.exponent, 0, 16);
     return without_idle_zeros(decimal(value, std::chars_format::scientific, digits));
 }
 
@@ -75,7 +67,7 @@ std::vector<Tick> linear_ticks(const ValueRange& range, bool log, int most) {
     const double high = std::max(range.low, range.high);
     const double span = high - low;
     if (!std::isfinite(span)) return {};
-    for (RoundStep step{1, exponent_of(span) - 3};; step = step.next()) {
+    for (RoundStep step{1, decimal_exponent(span) - 3};; step = step.next()) {
         const double size = step.value();
         if (!(size > 0.0)) return {};
         // What rounding has moved out of the range by a trifle is still in it.
@@ -97,8 +89,8 @@ std::vector<Tick> linear_ticks(const ValueRange& range, bool log, int most) {
 std::vector<Tick> logarithmic_ticks(const ValueRange& range, int most) {
     const double low = std::min(range.low, range.high);
     const double high = std::max(range.low, range.high);
-    const int first = exponent_of(low);
-    const int last = exponent_of(high);
+    const int first = decimal_exponent(low);
+    const int last = decimal_exponent(high);
     const auto collect = [&](const std::vector<int>& digits, int every) {
         std::vector<Tick> ticks;
         for (int exponent = first; exponent <= last; ++exponent) {
@@ -194,7 +186,7 @@ std::vector<Tick> ticks_of(const ValueRange& range, bool log, int most) {
 
 std::string in_few_digits(double value, int digits) {
     if (value == 0.0) return "0";
-    const int exponent = exponent_of(value);
+    const int exponent = decimal_exponent(value);
     if (exponent < -4 || exponent >= 6) return without_idle_zeros(decimal(value, std::chars_format::scientific, digits - 1));
     return without_idle_zeros(fixed(value, std::clamp(digits - 1 - exponent, 0, 9)));
 }

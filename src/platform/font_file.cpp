@@ -64,7 +64,7 @@ std::string readable_file(FcPattern* font) {
     const bool has_letters = FcPatternGetCharSet(font, FC_CHARSET, 0, &characters) == FcResultMatch &&
                              FcCharSetHasChar(characters, U'A') != 0 && FcCharSetHasChar(characters, U'z') != 0;
     const bool good = index == 0 && variable == FcFalse && has_letters && text_of(font, FC_FONTFORMAT) == "TrueType" &&
-                      lower_case(file).ends_with(".ttf") && begins_as_truetype(file);
+                      has_ending(file, ".ttf") && begins_as_truetype(file);
     return good ? file : "";
 }
 

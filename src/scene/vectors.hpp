@@ -22,6 +22,13 @@ inline glm::dvec3 without_negative_zero(const glm::dvec3& v) { return {v.x + 0.0
 // The sum of the components' sizes.
 inline double taxicab_length(const glm::dvec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
+// The exponent of the power of two that |value| is from 1/2 to 1 times of; 0 of 0.
+inline int exponent_of(double value) {
+    int exponent = 0;
+    std::frexp(value, &exponent);
+    return exponent;
+}
+
 // v times 2^exponent.
 inline glm::dvec3 times_two_to(const glm::dvec3& v, int exponent) {
     return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};

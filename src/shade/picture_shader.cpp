@@ -48,12 +48,6 @@ glm::dvec3 from_eye(const glm::dvec3& point, const glm::dvec3& eye, int scale) {
     return scale == usual_scale ? from_eye(point, eye) : times_two_to(point, scale) - times_two_to(eye, scale);
 }
 
-int exponent_of(double value) {
-    int exponent = 0;
-    std::frexp(value, &exponent);
-    return exponent;
-}
-
 // In which doubles can tell where a camera's parallel rays begin.
 int scale_of_origins(const Camera& camera) { return -exponent_of(std::max(largest_of(camera.right), largest_of(camera.up))); }
 

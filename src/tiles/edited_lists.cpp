@@ -8,26 +8,19 @@ constexpr int loose_shift = 5;  // the loose level's tiles have sides of 32 pixe
 
 int shift_in_texels(const PixelGrid& grid) { return std::max(loose_shift - grid.shift(), 0); }
 
-int tiles_along(int texels, int shift) { return ((texels - 1) >> shift) + 1; }
-
-std::size_t tile_count(const PixelGrid& grid) {
-    const int shift = shift_in_texels(grid);
-    return static_cast<std::size_t>(tiles_along(grid.size().width, shift)) *
-           static_cast<std::size_t>(tiles_along(grid.size().height, shift));
-}
+TileRange loose_tiles(const PixelGrid& grid) { return tiles_of(grid.size(), shift_in_texels(grid)); }
 
 }  // namespace
 
-std::size_t EditedLists::spare(const PixelGrid& grid) { return tile_count(grid) * room_in_tile; }
+std::size_t EditedLists::spare(const PixelGrid& grid) { return static_cast<std::size_t>(loose_tiles(grid).count()) * room_in_tile; }
 
 EditedLists::EditedLists(CandidateLists built, const Camera& camera, const PixelGrid& grid, int scale)
     : lists_(std::move(built)), planes_(camera, grid.picture, scale), grid_(grid), built_levels_(lists_.levels.size()) {
     editable_ = built_levels_ > 0 && built_levels_ < most_tile_levels;
-    const int shift = shift_in_texels(grid);
-    loose_level_ = {shift + grid.shift(), tiles_along(grid.size().width, shift),
-                    static_cast<std::uint32_t>(lists_.begins.size() - 1)};
+    const TileRange tiles = loose_tiles(grid);
+    loose_level_ = {shift_in_texels(grid) + grid.shift(), tiles.right + 1, static_cast<std::uint32_t>(lists_.begins.size() - 1)};
     lists_.candidates.resize(lists_.candidates.size() + spare(grid), no_candidate);
-    for (std::size_t tile = 0; tile < tile_count(grid); ++tile) lists_.begins.push_back(lists_.begins.back() + room_in_tile);
+    for (std::int64_t i = 0; i < tiles.count(); ++i) lists_.begins.push_back(lists_.begins.back() + room_in_tile);
 }
 
 TileRange EditedLists::tiles_in(const TileLevel& level, const PixelRange& texels) const {

@@ -11,14 +11,9 @@ namespace {
 constexpr int level_step = 2;              // each level's tiles are 4 x 4 of the one before
 constexpr double lookups_per_pixel = 4.0;  // what finding a list costs, in tests
 
-std::int64_t tile_count(PictureSize size, int shift) {
-    const auto along = [=](int pixels) { return (std::int64_t{pixels} + (1 << shift) - 1) >> shift; };
-    return along(size.width) * along(size.height);
-}
-
 TilePlan plan_from(int finest, std::int64_t most_tiles, PictureSize size) {
     TilePlan plan{{finest}, most_tiles};
-    while (tile_count(size, plan.shifts.back()) > most_tiles && plan.shifts.size() < most_tile_levels) {
+    while (tiles_of(size, plan.shifts.back()).count() > most_tiles && plan.shifts.size() < most_tile_levels) {
         plan.shifts.push_back(plan.shifts.back() + level_step);
     }
     return plan;
@@ -41,7 +36,7 @@ double cost(const TilePlan& plan, std::span<const PixelRange> sample, double wei
         sums[level].covered += weight * ellipse * (r.right - r.left + 1.0) * (r.bottom - r.top + 1.0);
     }
     const double pixels = static_cast<double>(size.width) * size.height;
-    double all = costs.candidate * static_cast<double>(tile_count(size, plan.shifts.front())) * 0.1;
+    double all = costs.candidate * static_cast<double>(tiles_of(size, plan.shifts.front()).count()) * 0.1;
     for (std::size_t level = 0; level < plan.shifts.size(); ++level) {
         const LevelSum& sum = sums[level];
         if (sum.candidates == 0.0) continue;
@@ -66,7 +61,7 @@ TilePlan plan_tiles(std::span<const PixelRange> sample, std::size_t count, Pictu
     TilePlan best;
     double least = 0.0;
     for (int shift = costs.smallest_shift; best.shifts.empty() || shift <= coarsest_first; ++shift) {
-        if (tile_count(size, shift) > table_limit && shift < 29) continue;
+        if (tiles_of(size, shift).count() > table_limit && shift < 29) continue;
         const TilePlan plan = plan_from(shift, most_tiles, size);
         const double total = cost(plan, sample, weight, size, costs);
         if (best.shifts.empty() || total < least) {

@@ -31,6 +31,10 @@ inline TileRange tiles_of(const PixelRange& pixels, int shift) {
     return {pixels.left >> shift, pixels.top >> shift, pixels.right >> shift, pixels.bottom >> shift};
 }
 
+inline TileRange tiles_of(PictureSize size, int shift) {
+    return tiles_of(PixelRange{0, 0, size.width - 1, size.height - 1}, shift);
+}
+
 // The tile sizes of a picture, the finest first, each four times the one before.
 struct TilePlan {
     std::vector<int> shifts;

@@ -9,6 +9,7 @@
 #include "image/compare.hpp"
 #include "image/picture_file.hpp"
 #include "image/png.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace sphereview {
 
@@ -75,8 +76,9 @@ std::string wrong_with(const std::string& bytes) {
 }  // namespace
 
 std::string fuzz_picture(std::string_view bytes) {
+    static const test::TemporaryFolder folder;
     try {
-        const Image image = decode_picture(bytes, "picture");
+        const Image image = read_picture(folder.write("picture", bytes));
         if (image.width() < 1 || image.height() < 1) return "a picture without pixels";
     } catch (const InputError&) {
     } catch (const MemoryError&) {

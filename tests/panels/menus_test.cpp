@@ -220,11 +220,8 @@ TEST(Help, ListsEveryShortcutAndTheMouse) {
         EXPECT_NE(text.find(every_shortcut(info.shortcut)), std::string::npos) << info.label;
         EXPECT_NE(text.find(info.label), std::string::npos) << info.label;
     }
-    EXPECT_GE(mouse_help().size(), 9U);
-    for (const MouseHelp& line : mouse_help()) {
-        EXPECT_NE(text.find(line.mouse), std::string::npos) << line.mouse;
-        EXPECT_NE(text.find(line.help), std::string::npos) << line.help;
-    }
+    for (const char* words : {"Left-drag elsewhere", "Pans.", "Ctrl+click on a sphere", "Opens the scene in it."})
+        EXPECT_NE(text.find(words), std::string::npos) << words;
 }
 
 TEST(Help, ClosesByItsButton) {

@@ -23,24 +23,14 @@ TEST(AvailableMemory, IsWhatTheTightestControlGroupLeaves) {
     const test::TemporaryFolder none;
     EXPECT_EQ(memory_left_in_groups(none.path()), std::nullopt);
 
-    const test::TemporaryFolder first;
-    first.write("proc/self/cgroup", "9:name=systemd:/memory\n4:hugetlb,memory:/outer/inner\n2:cpu:/\n0::/\n");
-    const std::string version_1 = "sys/fs/cgroup/memory/outer/";
-    first.write(version_1 + "memory.limit_in_bytes", "5000\n");
-    first.write(version_1 + "memory.usage_in_bytes", "3000\n");
-    first.write(version_1 + "memory.stat", "cache 1\nactive_file 7\ntotal_inactive_file 300\ntotal_active_file 200\n");
-    first.write(version_1 + "inner/memory.limit_in_bytes", "9223372036854771712\n");
-    first.write(version_1 + "inner/memory.usage_in_bytes", "3000\n");
-    EXPECT_EQ(memory_left_in_groups(first.path()), 2500U);
-
-    const test::TemporaryFolder second;
-    second.write("proc/self/cgroup", "0::/outer/inner\n");
-    const std::string version_2 = "sys/fs/cgroup/outer/";
-    second.write(version_2 + "memory.max", "7000\n");
-    second.write(version_2 + "memory.current", "6500\n");
-    second.write(version_2 + "memory.stat", "inactive_file 100\nactive_file 20\n");
-    second.write(version_2 + "inner/memory.max", "max\n");
-    EXPECT_EQ(memory_left_in_groups(second.path()), 620U);
+    const test::TemporaryFolder folder;
+    folder.write("proc/self/cgroup", "0::/outer/inner\n");
+    const std::string outer = "sys/fs/cgroup/outer/";
+    folder.write(outer + "memory.max", "7000\n");
+    folder.write(outer + "memory.current", "6500\n");
+    folder.write(outer + "memory.stat", "inactive_file 100\nactive_file 20\n");
+    folder.write(outer + "inner/memory.max", "max\n");
+    EXPECT_EQ(memory_left_in_groups(folder.path()), 620U);
 }
 
 #endif

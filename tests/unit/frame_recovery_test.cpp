@@ -48,7 +48,7 @@ struct FrameRecoveryTest : FramesInViewer {
             if (file.path().extension() == ".toml") std::filesystem::copy_file(file, folder.path("left.toml"));
         }
         remove_own_recovery();
-        adopt(state, {.format = SceneFormat::toml}, "");
+        adopt(state, {{}, "", SceneFormat::toml}, "");
         std::filesystem::rename(folder.path("left.toml"), folder.path("state/sphereview/recovery-1.toml"));
         meanwhile();
         const std::vector<Recovery> left = list_recoveries();

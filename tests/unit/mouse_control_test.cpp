@@ -302,6 +302,29 @@ TEST_F(Hand, ZoomingOutEndsWhereTheSceneIsSmall) {
     }
 }
 
+TEST_F(Hand, DoesTheSameWhateverTheScreensSize) {
+    selection.set_only(0);
+    const std::vector<Sphere> before = scene.spheres;
+    std::vector<glm::dvec3> places;
+    std::vector<double> depths;
+    for (const int exponent : exponents_of_screens) {
+        camera = camera_of_screen(exponent);
+        press();
+        drag_to({777, 123});
+        places.push_back(scene.spheres.at(0).center);
+        release();
+        scene.spheres = before;
+        mouse.place = {520, 490};
+        for (int i = 0; i < 200; ++i) {
+            mouse.wheel = -1.0;
+            redraw();
+        }
+        depths.push_back(glm::distance(camera.eye, before[0].center));
+        EXPECT_EQ(places.back(), places.front()) << exponent;
+        EXPECT_NEAR(depths.back(), depths.front(), 1e-6 * depths.front()) << exponent;
+    }
+}
+
 TEST_F(Hand, TellsWhetherItMovesTheView) {
     press();
     EXPECT_FALSE(control.moves_camera());  // it may become a click

@@ -8,6 +8,7 @@
 #include "base/number.hpp"
 #include "camera/navigation.hpp"
 #include "support/spheres.hpp"
+#include "unit/projection.hpp"
 #include "viewer/layout.hpp"
 
 namespace sphereview {
@@ -191,6 +192,23 @@ TEST_F(Commands, WhatIsNoSceneIsNotPasted) {
         EXPECT_TRUE(state.messages.announcement.starts_with(message)) << state.messages.announcement;
         EXPECT_EQ(state.messages.announcement.find('\n'), std::string::npos);
         EXPECT_FALSE(state.document.can_undo());
+    }
+}
+
+TEST_F(Commands, SpheresAreAddedBesideOthersWhateverTheScreensSize) {
+    std::vector<std::vector<Sphere>> added;
+    use_clipboard();
+    for (const int exponent : exponents_of_screens) {
+        state.document = Document(before);
+        state.camera = camera_of_screen(exponent);
+        state.selection.set_only(0);
+        for (const CommandId id : {CommandId::copy, CommandId::paste, CommandId::duplicate, CommandId::add_sphere})
+            run_command(state, id);
+        added.push_back(state.scene().spheres);
+        ASSERT_EQ(added.back().size(), 5U);
+        EXPECT_TRUE(std::isfinite(added.back().back().radius)) << exponent;
+        if (exponent > 0) added.back().back() = added.front().back();  // it is beside the screen, far away
+        EXPECT_EQ(added.back(), added.front()) << exponent;
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "image/png.hpp"
+#include "support/temporary_folder.hpp"
 #include "unit/message_of.hpp"
 
 namespace sphereview {
@@ -14,7 +15,10 @@ namespace sphereview {
 namespace {
 
 std::vector<int> values(const Image& image) { return {image.bytes().begin(), image.bytes().end()}; }
-std::vector<int> values_of(const std::string& bytes) { return values(decode_picture(bytes, "p")); }
+std::vector<int> values_of(const std::string& bytes) {
+    const test::TemporaryFolder folder;
+    return values(read_picture(folder.write("p", bytes)));
+}
 
 // Two pixels, one above the other, of 24 bits; rows from below, each filled up to four bytes.
 std::string small_bmp() {
@@ -56,8 +60,10 @@ TEST(PictureFile, SaysWhatIsWrong) {
         {"BM", "p: not a usable BMP: unknown image type"},
         {small_bmp().substr(0, 60), "p: found 60 bytes of a BMP, expected 62"},
     };
+    const test::TemporaryFolder folder;
     for (const auto& refused : cases) {
-        EXPECT_EQ(message_of<InputError>([&] { decode_picture(refused.first, "p"); }), refused.second);
+        const std::string path = folder.write("p", refused.first);
+        EXPECT_EQ(message_of<InputError>([&] { read_picture(path); }), folder.path() + "/" + refused.second);
     }
 }
 

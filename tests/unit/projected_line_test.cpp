@@ -13,12 +13,14 @@ namespace {
 
 constexpr PictureSize picture{600, 400};
 
-// Asserts that it is the picture of that part of the line, at both ends.
+// Asserts that it is the picture of a part of the line, at both ends.
 void expect_on_line(const Camera& camera, const ProjectedLine& line, const glm::dvec3& from, const glm::dvec3& to) {
     for (const bool end : {false, true}) {
-        const double part = end ? line.to_part : line.from_part;
+        // Depths are linear along the line.
+        const double depth = end ? line.to_depth : line.from_depth;
+        const double part = (depth - depth_of(camera, from)) / (depth_of(camera, to) - depth_of(camera, from));
+        EXPECT_TRUE(part >= 0.0 && part <= 1.0) << part;
         const glm::dvec3 point = from + part * (to - from);
-        EXPECT_NEAR(depth_of(camera, point), end ? line.to_depth : line.from_depth, 1e-9);
         const auto place = place_of(camera, picture, point);
         ASSERT_TRUE(place);
         EXPECT_NEAR(glm::distance(*place, end ? line.to : line.from), 0.0, 1e-6);
@@ -33,10 +35,9 @@ TEST(ProjectedLine, BeforeTheEyeIsWhereItsEndsAre) {
     const glm::dvec3 to{60, -30, 400};
     const auto line = projected_line(camera, picture, from, to);
     ASSERT_TRUE(line);
-    EXPECT_EQ(line->from_part, 0.0);
-    EXPECT_EQ(line->to_part, 1.0);
     expect_on_line(camera, *line, from, to);
     EXPECT_EQ(line->from_depth, 1.5);
+    EXPECT_EQ(line->to_depth, 4.0);
 }
 
 TEST(ProjectedLine, ThroughTheEyesPlaneIsCutAndNotTurnedRound) {
@@ -86,7 +87,8 @@ TEST(ProjectedLine, OfParallelRaysEndsAtThePlaneOfTheEye) {
     camera.projection = Projection::orthographic;
     const auto line = projected_line(camera, picture, {10, 0, -100}, {10, 0, 100});
     ASSERT_TRUE(line);
-    EXPECT_NEAR(line->from_part, 0.5, 1e-9);
+    EXPECT_NEAR(line->from_depth, 0.0, 1e-9);
+    EXPECT_EQ(line->to_depth, 1.0);
     EXPECT_NEAR(line->pixels(), 0.0, 1e-9);
 }
 

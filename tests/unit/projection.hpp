@@ -1,11 +1,13 @@
 // Where pictures show points: the other way round than point_at() of camera/navigation.hpp.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
 
 #include "camera/navigation.hpp"
+#include "scene/vectors.hpp"
 
 namespace sphereview {
 
@@ -26,5 +28,14 @@ inline std::optional<glm::dvec2> project(const Camera& camera, PictureSize size,
     if (!std::isfinite(place.x) || !std::isfinite(place.y)) return std::nullopt;
     return place;
 }
+
+// The default camera with a screen of another size: the same picture.
+inline Camera camera_of_screen(int exponent) {
+    const Camera usual;
+    return {usual.eye, times_two_to(usual.center, exponent), times_two_to(usual.right, exponent), times_two_to(usual.up, exponent)};
+}
+
+// So small and so large that their squares are no doubles; the default's comes first.
+inline constexpr std::array<int, 3> exponents_of_screens = {0, -570, 660};
 
 }  // namespace sphereview
