@@ -118,7 +118,11 @@ def drag(shown: Viewer, runs: int) -> dict:
     x, y = middle("slider x")
     shown.mouse.move(x, y)
     shown.mouse.button(True)
-    shown.rest()
+    # A press becomes a drag only after some pixels.
+    x += 20
+    before = shown.rest()["revision"]
+    shown.mouse.move(x, y)
+    shown.wait("the slider's drag", lambda redraw: redraw["revision"] > before and redraw["resting"])
     answers, seconds, steps = [], [], []
     for number in range(runs):
         before = shown.redraws[-1]["revision"]
