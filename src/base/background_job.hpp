@@ -8,10 +8,9 @@
 #include <future>
 #include <memory>
 
-namespace sphereview {
+#include "base/parallel.hpp"
 
-// What cancelled work throws: nobody waits for it any more.
-struct Cancelled {};
+namespace sphereview {
 
 // What the work and who waits for it tell each other; from any thread.
 struct WorkControl {

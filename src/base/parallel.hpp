@@ -6,6 +6,9 @@
 
 namespace sphereview {
 
+// What cancelled work throws: nobody waits for it any more.
+struct Cancelled {};
+
 // How many threads share the work: one for each core that this process may use.
 int worker_count();
 
@@ -18,7 +21,7 @@ void give_way();
 // share it would only make them wait for each other.
 void keep_loops_on_this_thread(bool alone);
 
-// From now on the loops that this thread begins end soon after `flag` is set, and throw Cancelled (base/background_job.hpp).
+// From now on the loops that this thread begins end soon after `flag` is set, and throw Cancelled.
 // nullptr: they always end by themselves.
 void cancel_loops_by(const std::atomic<bool>* flag);
 

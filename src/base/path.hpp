@@ -6,13 +6,9 @@
 #include <string>
 #include <string_view>
 
-namespace sphereview {
+#include "base/text.hpp"
 
-// Names of files on Windows are 16-bit units that are usually, but not always, UTF-16. A half of a surrogate pair that stands alone
-// becomes the three bytes that UTF-8 would have for it (WTF-8), and so comes back unchanged.
-std::string utf8_from(std::u16string_view units);
-// The way back; each byte that belongs to no character becomes U+FFFD.
-std::u16string utf16_from(std::string_view text);
+namespace sphereview {
 
 #ifdef _WIN32
 

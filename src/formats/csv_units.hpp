@@ -8,8 +8,6 @@
 
 namespace sphereview {
 
-struct CsvTable;
-
 struct CsvUnits {
     int power = 0;        // 10 to it is the unit of radii in that of places
     std::string words{};  // where the two differ: what was done about it
@@ -18,7 +16,7 @@ struct CsvUnits {
     double in_unit_of_places(double radius) const;
 };
 
-// Looks at the names in the header and at the row of units below it. `first`: the field that names[0] names.
-CsvUnits find_units(const ColumnNames& names, std::size_t first, const CsvTable& table);
+// Looks at the names in the header and at the row of units below it, by the header's names. `first`: the field that names[0] names.
+CsvUnits find_units(const ColumnNames& names, std::size_t first, const CsvColumns& columns, const ColumnNames& row_of_units);
 
 }  // namespace sphereview
