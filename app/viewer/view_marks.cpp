@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/legend.hpp"
+#include "app/picture_marks.hpp"
 #include "base/text.hpp"
 #include "camera/navigation.hpp"
 #include "camera/projected_line.hpp"

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "base/parallel.hpp"
 
 namespace sphereview {
 

@@ -8,10 +8,9 @@
 #include <future>
 #include <memory>
 
-namespace sphereview {
+#include "base/parallel.hpp"
 
-// Thrown by cancelled work.
-struct Cancelled {};
+namespace sphereview {
 
 // What a job and its owner tell each other; usable from any thread.
 struct WorkControl {

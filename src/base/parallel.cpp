@@ -10,8 +10,6 @@
 #include <thread>
 #include <vector>
 
-#include "base/background_job.hpp"
-
 #ifdef _WIN32
 #include <windows.h>
 #else

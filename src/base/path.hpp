@@ -6,13 +6,9 @@
 #include <string>
 #include <string_view>
 
-namespace sphereview {
+#include "base/text.hpp"
 
-// Names of files on Windows are 16-bit units, usually UTF-16. A lone half of a surrogate pair becomes the three bytes that UTF-8
-// would have for it (WTF-8), and so comes back unchanged.
-std::string utf8_from(std::u16string_view units);
-// The inverse; bytes that belong to no character become U+FFFD.
-std::u16string utf16_from(std::string_view text);
+namespace sphereview {
 
 #ifdef _WIN32
 

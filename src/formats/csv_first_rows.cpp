@@ -212,7 +212,7 @@ void look_at_first_rows(const TextSource& source, const ColumnNames& names, std:
         const bool is_property = table.properties.size() > properties;
         table.passed_over.push_back({is_property ? table.properties.back().name : names[i], first + i});
     }
-    table.units = find_units(names, first, table);
+    table.units = find_units(names, first, table.columns, table.row_of_units);
 }
 
 }  // namespace sphereview

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "base/text.hpp"
-#include "formats/csv_table.hpp"
+#include "formats/csv_values.hpp"
 
 namespace sphereview {
 
@@ -62,20 +62,20 @@ double CsvUnits::in_unit_of_places(double radius) const {
     return power < 0 ? radius / factor : radius * factor;
 }
 
-CsvUnits find_units(const ColumnNames& names, std::size_t first, const CsvTable& table) {
+CsvUnits find_units(const ColumnNames& names, std::size_t first, const CsvColumns& columns, const ColumnNames& row_of_units) {
     const auto name_of = [&](CsvColumn column) -> std::string {
-        const auto place = table.columns[column];
+        const auto place = columns[column];
         return place && *place >= first && *place - first < names.size() ? names[*place - first] : "";
     };
     const auto unit_of = [&](CsvColumn column) -> std::string {
         std::string unit = unit_in(name_of(column));
         if (!unit.empty() || name_of(column).empty()) return unit;
-        const std::size_t place = *table.columns[column] - first;
-        if (place >= table.row_of_units.size()) return "";
-        const std::string_view text = trimmed(table.row_of_units[place], " ()[]{}");
+        const std::size_t place = *columns[column] - first;
+        if (place >= row_of_units.size()) return "";
+        const std::string_view text = trimmed(row_of_units[place], " ()[]{}");
         return is_missing(text) ? "" : std::string(text);
     };
-    const CsvColumn size = table.columns.has(CsvColumn::radius) ? CsvColumn::radius : CsvColumn::diameter;
+    const CsvColumn size = columns.has(CsvColumn::radius) ? CsvColumn::radius : CsvColumn::diameter;
     const std::string of_places = unit_of(CsvColumn::x);
     for (const CsvColumn column : {CsvColumn::y, CsvColumn::z}) {
         const std::string unit = unit_of(column);

@@ -8,8 +8,6 @@
 
 namespace sphereview {
 
-struct CsvTable;
-
 struct CsvUnits {
     int power = 0;        // one unit of radii is 10^power units of places
     std::string words{};  // a message for the user where the units differ
@@ -18,7 +16,7 @@ struct CsvUnits {
     double in_unit_of_places(double radius) const;
 };
 
-// Reads the units from the header's names and the row of units. `first`: the field of names[0].
-CsvUnits find_units(const ColumnNames& names, std::size_t first, const CsvTable& table);
+// Looks at the names in the header and at the row of units below it, by the header's names. `first`: the field that names[0] names.
+CsvUnits find_units(const ColumnNames& names, std::size_t first, const CsvColumns& columns, const ColumnNames& row_of_units);
 
 }  // namespace sphereview

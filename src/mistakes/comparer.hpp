@@ -10,7 +10,6 @@
 
 #include "base/parallel.hpp"
 #include "image/image.hpp"
-#include "mistakes/diagnosis.hpp"
 #include "scene/scene.hpp"
 
 namespace sphereview {
@@ -34,7 +33,19 @@ struct Palette {
     bool operator==(const Palette&) const = default;
 };
 
-// Pixels are numbered row by row. The picture and the scene must outlive this object.
+// One of the differing pixels.
+struct DifferingPixel {
+    Pixel pixel;
+    Color found;
+    std::optional<std::uint8_t> alpha{};  // that was found, where alpha counts: 0 was expected of the background, else 255
+    // What has that colour in the scene: the first such sphere or visible_background; none where nothing has.
+    std::optional<std::int32_t> found_number{};
+    Color expected{};
+    std::int32_t expected_number = 0;
+    std::size_t share = 0;  // in Diagnosis::shares
+};
+
+// Pixels are counted row by row. The picture and the scene must outlive it.
 class Comparer {
 public:
     Comparer(const Image& picture, const Scene& scene, const Background& background);

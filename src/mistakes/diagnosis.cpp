@@ -7,7 +7,6 @@
 #include <unordered_map>
 
 #include "exact/visible.hpp"
-#include "mistakes/comparer.hpp"
 #include "mistakes/picture_style.hpp"
 
 namespace sphereview {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "image/image.hpp"
+#include "mistakes/comparer.hpp"
 #include "mistakes/wrong_pictures.hpp"
 #include "scene/scene.hpp"
 
@@ -19,18 +20,6 @@ struct MistakeShare {
     std::string words;  // for people
     std::int64_t pixels = 0;
     Color mark{};  // its colour in the picture of the difference
-};
-
-// One of the differing pixels.
-struct DifferingPixel {
-    Pixel pixel;
-    Color found;
-    std::optional<std::uint8_t> alpha{};  // the found alpha, where alpha counts; the background's is 0, else 255
-    // The first sphere of that colour, or visible_background; nothing if the scene has no such colour.
-    std::optional<std::int32_t> found_number{};
-    Color expected{};
-    std::int32_t expected_number = 0;
-    std::size_t share = 0;  // in Diagnosis::shares
 };
 
 struct Diagnosis {

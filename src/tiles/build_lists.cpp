@@ -9,7 +9,6 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/uninitialized.hpp"
-#include "tiles/tile_plan.hpp"
 
 namespace sphereview {
 

@@ -11,7 +11,6 @@
 
 #include "exact/candidates.hpp"
 #include "scene/camera.hpp"
-#include "tiles/build_lists.hpp"
 #include "tiles/pixel_range.hpp"
 
 namespace sphereview {
@@ -46,6 +45,16 @@ struct TilePlan {
         while (level + 1 < shifts.size() && tiles_of(pixels, shifts[level]).count() > most_tiles) ++level;
         return level;
     }
+};
+
+// What tiles cost a renderer. Tiles are chosen so that one picture costs least; the picture does not depend on them.
+struct TileCosts {
+    int smallest_shift = 0;  // no tile's side is below 2^this pixels
+    double candidate = 1.0;  // of listing one sphere in one tile
+    double test = 1.0;       // of trying one candidate for one pixel
+    // The lists of a scene hold about so many candidates. A sphere that covers more tiles than its equal part of the budget, and
+    // more than 16, is listed in a level of larger tiles.
+    std::int64_t shared_budget = 1 << 22;
 };
 
 // The plan that costs least for `count` spheres, judged by the pixel ranges of a sample of them (at least one).
