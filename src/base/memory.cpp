@@ -43,7 +43,8 @@ std::optional<std::uint64_t> number_in_file(const std::string& path, std::string
 std::optional<std::uint64_t> memory_left_in_groups(const std::string& root) {
     std::ifstream groups(root + "/proc/self/cgroup");
     std::string path;
-    while (std::getline(groups, path) && !path.starts_with("0::")) {}
+    while (std::getline(groups, path) && !path.starts_with("0::")) {
+    }
     if (!groups) return std::nullopt;
     path.erase(0, 3);  // "/a/b" is left
     // The group and those around it.

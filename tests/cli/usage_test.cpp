@@ -88,7 +88,7 @@ TEST(Usage, MistakesAreOneLineWithASuggestionAndStatus2) {
         {{"render", "a.txt", "--view=top", "--no-fit"}, "--no-fit does not go with --view"},
         {{"render", "a.txt", "--diff", "d.png"}, "--diff needs --expect"},
         {{"render", "a.txt", "--legend"}, "sphereview: --legend needs --color-by (see"},
-        {{"render", "a.txt", "--size-by", "mass", "--radii", "vdw"}, "--radii does not go with --size-by (see"},
+        {{"render", "a.txt", "--size-by", "mass", "--radii", "vdw"}, "sphereview: --size-by does not go with --radii (see"},
         {{"render", "a.txt", "--movie", "a.mp4"}, "sphereview: --movie needs --frames or --turntable (see"},
         {{"wiev", "a"}, "unknown command 'wiev'; did you mean 'view'? (see"},
         {{"convert", "a.txt"}, "OUT: found no value, expected the name of a file (see"},
