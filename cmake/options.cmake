@@ -84,7 +84,7 @@ if(NOT DEFINED CMAKE_UNITY_BUILD_BATCH_SIZE)
     set(CMAKE_UNITY_BUILD_BATCH_SIZE 24)
 endif()
 
-# How much the compiler optimises: fast: what computes for each pixel or each sphere; plain: all else, with -O1, which takes half the time that
+# How much the compiler optimises: fast: what computes for each pixel or each sphere; plain: all else, with -O1, which takes two thirds of the time that
 # -O2 takes and is as quick where nothing is computed. In a debug build sanitizers cost twice the time again in plain code that is optimised.
 add_library(plain INTERFACE)
 add_library(fast INTERFACE)
