@@ -85,33 +85,50 @@ if(NOT DEFINED CMAKE_UNITY_BUILD_BATCH_SIZE)
 endif()
 
 # How much the compiler optimises: fast: what computes for each pixel or each sphere; plain: all else, with -O1, which takes two thirds of the time that
-# -O2 takes and is as quick where nothing is computed. In a debug build sanitizers cost twice the time again in plain code that is optimised.
-add_library(plain INTERFACE)
-add_library(fast INTERFACE)
+# -O2 takes and is as quick where nothing is computed. In a debug build menus and the like are a kind of their own, without optimisation:
+# sanitizers double the time that it takes there, and no test waits for a menu.
+set(kinds plain fast)
+if(CMAKE_BUILD_TYPE STREQUAL Debug)
+    list(APPEND kinds menus)
+endif()
+foreach(kind IN LISTS kinds)
+    add_library(${kind} INTERFACE)
+endforeach()
 if(NOT MSVC)
     # With less than -O3, GCC does not see that a variant's other members are not read, nor how long a string is.
-    target_compile_options(plain INTERFACE $<$<CONFIG:Release>:-O1> $<$<CONFIG:Debug>:-O0>
+    target_compile_options(plain INTERFACE $<$<CONFIG:Release>:-O1>
         $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overread>)
     # Without traps the compiler may use SIMD for square roots and comparisons; every result stays as IEEE 754 has it.
     target_compile_options(fast INTERFACE -O3 -fno-trapping-math)
+    if(TARGET menus)
+        target_compile_options(menus INTERFACE -O0)
+    endif()
 endif()
-foreach(kind IN ITEMS plain fast)
+foreach(kind IN LISTS kinds)
     add_precompiled(precompiled_${kind} LINKS sphereview_options ${kind})
 endforeach()
 
-# Compiles a target's sources as KIND has it.
+# Compiles a target's sources as KIND has it: plain, fast, or menus.
 function(compile_as target kind)
+    if(kind STREQUAL menus AND NOT TARGET menus)
+        set(kind plain)
+    endif()
     target_link_libraries(${target} PRIVATE sphereview_options ${kind})
     use_precompiled(${target} precompiled_${kind})
 endfunction()
 
-# A static library from the given sources of this folder, included as "folder/file.hpp"; the FAST ones are an object library, NAME_fast.
+# A static library from the given sources of this folder, included as "folder/file.hpp"; the FAST ones are an object library, NAME_fast. MENUS: the
+# other sources are of that kind.
 function(add_room name)
-    cmake_parse_arguments(room "" "" "SOURCES;FAST;LINKS" ${ARGN})
+    cmake_parse_arguments(room "MENUS" "" "SOURCES;FAST;LINKS" ${ARGN})
+    set(kind plain)
+    if(room_MENUS)
+        set(kind menus)
+    endif()
     set(parts)
     if(room_SOURCES)
         add_library(${name} STATIC ${room_SOURCES})
-        compile_as(${name} plain)
+        compile_as(${name} ${kind})
         set(parts ${name})
     endif()
     if(room_FAST)
