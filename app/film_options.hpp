@@ -24,15 +24,16 @@ struct FilmOptions {
 // "30" or "30000/1001", each number from 1 to 1,000,000; nothing for another text.
 std::optional<FrameRate> parse_frame_rate(std::string_view text);
 
+// A kind of film, by its file's ending.
 struct FilmKind {
     std::string_view ending;
     std::string_view title;    // in dialogs
-    std::string_view encoder;  // of ffmpeg, which is told these words as well
-    std::string_view words;
+    std::string_view encoder;  // ffmpeg's name of it
+    std::string_view words;    // further arguments of ffmpeg, separated by blanks
     int fastest;  // pictures a second: of .gif what players show in time, of the others what the file can say
-    std::array<std::string_view, 2> pixels{};  // as ffmpeg calls them: without and with alpha; of a film that may be transparent
-    int worst = 0;                             // ffmpeg's -crf at quality 0, and by how much less it is at the best one
-    int range = 0;
+    std::array<std::string_view, 2> pixels{};  // ffmpeg's pixel formats without and with alpha; empty: never transparent
+    int worst = 0;                             // ffmpeg's -crf at quality 0
+    int range = 0;                             // how much less -crf is at best_film_quality; 0: no quality to choose
     std::string_view remark{};  // behind the ending, in words
 
     bool has_quality() const { return range > 0; }

@@ -84,8 +84,8 @@ if(NOT DEFINED CMAKE_UNITY_BUILD_BATCH_SIZE)
     set(CMAKE_UNITY_BUILD_BATCH_SIZE 24)
 endif()
 
-# How much the compiler optimises: fast: what computes for each pixel or each sphere; plain: all else, with -O1, which takes two thirds of the time that
-# -O2 takes and is as quick where nothing is computed. In a debug build menus and the like are a kind of their own, without optimisation:
+# Two kinds of code. `fast` is what computes for each pixel or each sphere: -O3. `plain` is all else: -O1, which takes two thirds of the time
+# that -O2 takes to compile, and is as quick where nothing is computed. In a debug build menus and the like are a kind of their own, without optimisation:
 # sanitizers double the time that it takes there, and no test waits for a menu.
 set(kinds plain fast)
 if(CMAKE_BUILD_TYPE STREQUAL Debug)
@@ -156,5 +156,6 @@ function(add_room name)
         set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
     endif()
     # For tests that compile a room once more.
-    set_target_properties(${name} PROPERTIES ROOM_SOURCES "${room_SOURCES};${room_FAST}")
+    set(sources ${room_SOURCES} ${room_FAST})
+    set_target_properties(${name} PROPERTIES ROOM_SOURCES "${sources}")
 endfunction()

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "camera/navigation.hpp"
 #include "panels/panel_context.hpp"
 #include "scene/vectors.hpp"
 
@@ -83,8 +84,7 @@ public:
     // halves of the picture's shorter side, from its middle.
     SectionLine cut(const glm::dvec3& point, const glm::dvec2& from_middle, const glm::dvec2& half) const {
         const glm::dvec3 way = unit(cross(cross(unit(camera_.right), unit(camera_.up)), normal_));
-        const glm::dvec2 step{dot(way, camera_.right) / dot(camera_.right, camera_.right),
-                              dot(way, camera_.up) / dot(camera_.up, camera_.up)};
+        const glm::dvec2 step = across_screen(camera_, way);
         double least = -infinite;
         double most = infinite;
         for (int axis = 0; axis < 2; ++axis) {
@@ -224,7 +224,7 @@ RaySection section_of(const SectionSubject& of, std::optional<std::int32_t> subj
     if (!subject || !is_of(*subject)) subject = first_explained(e);
     const Sphere* sphere = is_of(*subject) ? &of.scene.spheres[static_cast<std::size_t>(*subject)] : nullptr;
     const Plane plane(of, sphere);
-    const double length = glm::length(e.direction);
+    const double length = length_of(e.direction);
 
     RaySection section;
     section.blocker = of.blocker;

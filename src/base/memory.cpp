@@ -51,7 +51,7 @@ std::optional<std::uint64_t> memory_left_in_groups(const std::string& root) {
     for (std::uint64_t least = unlimited;; path.resize(std::min(path.rfind('/'), path.size() - 1))) {
         const std::string files = root + "/sys/fs/cgroup" + path + "/memory.";
         std::uint64_t used = number_in_file(files + "current").value_or(0);
-        // Of pages of files, which the system drops when memory is wanted.
+        // Pages of files do not count: the system drops them when memory is needed.
         for (const char* pages : {"inactive_file", "active_file"}) {
             used = difference(used, number_in_file(files + "stat", pages).value_or(0));
         }

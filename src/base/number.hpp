@@ -41,7 +41,7 @@ std::string shortest(float value);
 // `value` with that many digits, as printf writes it in the "C" locale. digits: 0..50.
 std::string decimal(double value, std::chars_format format, int digits);
 
-// The exponent in that text, when it is scientific.
+// The decimal exponent of `value`, rounded to that many digits behind the point. `value`: finite. digits: 0..50.
 int decimal_exponent(double value, int digits = 17);
 
 // The greatest number of at most `most` that is 1, 2 or 5 times a power of ten, as the nearest double; 0 if `most` is not above 0,

@@ -22,7 +22,7 @@ inline glm::dvec3 without_negative_zero(const glm::dvec3& v) { return {v.x + 0.0
 // The sum of the components' sizes.
 inline double taxicab_length(const glm::dvec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
-// The exponent of the power of two that |value| is from 1/2 to 1 times of; 0 of 0.
+// The e with 2^(e-1) <= |value| < 2^e; 0 for 0. `value`: finite.
 inline int exponent_of(double value) {
     int exponent = 0;
     std::frexp(value, &exponent);
@@ -37,7 +37,7 @@ inline glm::dvec3 times_two_to(const glm::dvec3& v, int exponent) {
 // The size of the largest component.
 inline double largest_of(const glm::dvec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 
-// The length of a vector of any size: divides first, so that no square leaves the range of doubles. 0 also for NaN.
+// The length of a vector of any size: divides first, so that no square leaves the range of doubles.
 inline double length_of(const glm::dvec3& v) {
     const double largest = largest_of(v);
     if (!(largest > 0.0)) return 0.0;

@@ -1,6 +1,6 @@
 // The ways in which a picture can be coloured: one table for the command line, the menus, the settings and the shaders. A new one
-// is a name and a row here, and its formula twice: in picture_shader.cpp and in shaders/surface.frag. docs/shading.md has the
-// formulae.
+// is a name and a row here, and its formula twice: in picture_shader.cpp and in shaders/surface.frag, or in gpu/scene_tables.cpp if
+// it does not depend on the hit. docs/shading.md has the formulae.
 #pragma once
 
 #include <array>

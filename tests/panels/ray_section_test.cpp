@@ -6,6 +6,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "unit/projection.hpp"
+
 namespace sphereview {
 
 namespace {
@@ -59,6 +61,21 @@ TEST(RaySectionTest, HasTheRootsOnTheCircles) {
         EXPECT_NEAR(section.circles.front().radius,
                     of.scene.spheres[static_cast<std::size_t>(section.circles.front().number)].radius, 1e-9);
         EXPECT_DOUBLE_EQ(*section.seen, of.explanation.hits.front().t * glm::length(of.explanation.direction));
+    }
+}
+
+TEST(RaySectionTest, IsTheSameForAScreenOfAnySize) {
+    const std::vector<Sphere> spheres = {{{0.0, 0.0, 200.0}, 20.0}, {{10.0, 5.0, 300.0}, 40.0}};
+    const RaySection usual = SectionOfPixel(spheres, {52, 49}).section();
+    ASSERT_EQ(usual.circles.size(), 2U);
+    for (const int exponent : exponents_of_screens) {
+        const RaySection section = SectionOfPixel(spheres, {52, 49}, camera_of_screen(exponent)).section();
+        ASSERT_EQ(section.circles.size(), 2U) << exponent;
+        EXPECT_NEAR(*section.seen, *usual.seen, 1e-9) << exponent;
+        for (std::size_t i = 0; i < 2; ++i) {
+            EXPECT_NEAR(section.circles[i].first, usual.circles[i].first, 1e-9) << exponent;
+            EXPECT_NEAR(section.circles[i].second, usual.circles[i].second, 1e-9) << exponent;
+        }
     }
 }
 
