@@ -30,11 +30,11 @@ struct FilmKind {
     std::string_view title;    // in dialogs
     std::string_view encoder;  // ffmpeg's name of it
     std::string_view words;    // further arguments of ffmpeg, separated by blanks
-    int fastest;  // pictures a second: of .gif what players show in time, of the others what the file can say
+    int fastest;               // pictures a second: of .gif what players show in time, of the others what the file can say
     std::array<std::string_view, 2> pixels{};  // ffmpeg's pixel formats without and with alpha; empty: never transparent
     int worst = 0;                             // ffmpeg's -crf at quality 0
     int range = 0;                             // how much less -crf is at best_film_quality; 0: no quality to choose
-    std::string_view remark{};  // behind the ending, in words
+    std::string_view remark{};                 // behind the ending, in words
 
     bool has_quality() const { return range > 0; }
     bool has_alpha() const { return !pixels[0].empty(); }
