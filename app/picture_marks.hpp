@@ -57,20 +57,20 @@ std::vector<Stroke> strokes_of_scale_bar(const ScaleBar& bar, StrokePlace corner
 // Draws the marks, except over a picture that is too small for them.
 void draw_marks(const PictureMarks& marks, const Camera& camera, Image& picture);
 
-// Where a legend may be, in sixteenths of a pixel: it hangs from its upper right corner.
+// The room of a legend, in sixteenths of a pixel. `corner`: the upper right one.
 struct LegendRoom {
     StrokePlace corner;
     int width = 0;
     int height = 0;
 };
 
-// Of a picture of that size, in sixteenths of a pixel, with marks of that unit: the upper right corner, beside the axes and above
-// the scale bar.
+// The room in a picture of that size, in sixteenths of a pixel, with marks of that unit: in the upper right corner, beside the axes
+// and above the scale bar.
 LegendRoom room_for_legend(int width, int height, int unit);
 
-// What the colours of a picture stand for: a bar of colours with numbers, or a dot for each category with its name and count.
-// Letters are a half larger than `unit`s, or, where there are too many categories for that, as large. What does not fit then is
-// counted in a last line: "and 12 more". Long names are cut. `on_light`: dark letters, for a light background.
+// The legend of a picture's colours: a bar of colours with numbers, or a dot, name and count for each category. Letters are drawn
+// in 1.5 `unit`s, or in one `unit` if there are many categories. Categories that do not fit are counted in a last line: "and 12
+// more". Long names are cut. `on_light`: dark letters, for a light background.
 std::vector<Stroke> strokes_of_legend(const Coloring& coloring, const LegendRoom& room, int unit, bool on_light);
 
 }  // namespace sphereview

@@ -1,5 +1,5 @@
-// The menu bar, the list of all shortcuts and of what the mouse does, and Help > About: the version, what renders, and the licences
-// of the parts.
+// The menu bar, the help window with all shortcuts and what the mouse does, and Help > About: the version, what renders, and the
+// licences of the parts.
 #pragma once
 
 #include <string>
@@ -26,11 +26,11 @@ float draw_menu_bar(const PanelContext& context, const std::vector<std::string>&
 
 struct About {
     bool shown = false;
-    std::vector<std::string> lines{};  // of the licences, once they were asked for
+    std::vector<std::string> lines{};  // of the licences, once they are shown
 };
 
-// As a window with a close button. `licenses`, which may be null, gives a long text: it is asked for once, when it is first shown.
-// `renderer`: as the status bar names it. Widgets: "about", "about copy".
+// Draws a window with a close button. `licenses`, which may be null, is called once, when its long text is first shown. `renderer`:
+// as the status bar names it. Widgets: "about", "about copy".
 void draw_about(const PanelContext& context, About& about, const std::string& name_and_version, std::string (*licenses)(),
                 const std::string& renderer);
 

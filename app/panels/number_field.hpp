@@ -1,4 +1,4 @@
-// The field for a number in panels, to be dragged or typed into.
+// The field for a number in panels, to be dragged or typed into, and the calculations that a person types for a number: "50+3*2".
 #pragma once
 
 #include <algorithm>
@@ -97,17 +97,17 @@ std::string fitting_text(double value, float width);
 // "1.5 to 20".
 std::string range_text(double low, double high);
 
-// A finite number, or why there is none.
+// A finite number, or a fault.
 struct ExpressionValue {
     double value = 0.0;
-    std::string fault{};  // a sentence without its full stop, "" where there is a value: "a number is missing at the end"
+    std::string fault{};  // without full stop: "a number is missing at the end"; "" with a value
 };
 
-// Works out numbers, + - * / ^ (to the power of, which binds from the right), signs and parentheses. Numbers have a point, whatever
-// the locale, and may have a power of ten: 2.5e-7. A number alone is read to the nearest double. White space counts for nothing.
+// Evaluates numbers, + - * / ^ (power, from the right), signs and parentheses. Numbers have a point, whatever the locale, and may
+// have a power of ten: 2.5e-7. A number alone gives the nearest double. White space is ignored.
 ExpressionValue evaluate(std::string_view text);
 
-// Whether it is more than one number: then people want to see what it gives.
+// Whether `text` is more than a single number, so that its result is worth showing.
 bool is_calculation(std::string_view text);
 
 }  // namespace sphereview

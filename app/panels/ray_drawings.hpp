@@ -1,5 +1,5 @@
-// What the inspector draws: the plane through the ray, and the quadratics of the ray as curves; and what it draws them on, in the
-// coordinates of what they show.
+// The inspector's drawings: the plane through the ray, and the ray's quadratics as curves; and the part of a panel that shows them,
+// in their own coordinates.
 #pragma once
 
 #include <imgui.h>
@@ -16,18 +16,18 @@
 namespace sphereview {
 
 ImU32 faded(const ImVec4& color, float opacity);
-// The theme's, for what is drawn.
+// The theme's colour of text, for drawings.
 ImU32 text_color(float opacity);
-// A sphere's own colour, but never so dark, or, in the light theme, so bright that it is lost on the panel.
+// A sphere's own colour, made brighter, or darker in the light theme, where it would not be visible on the panel.
 ImVec4 line_color(const Scene& scene, std::int32_t number);
 
-// Of a text in a drawing: where there is room for one alone, the other is left out.
+// The importance of a text in a drawing: less important texts are left out where there is no room.
 enum class Importance { most, more, some, least };
 
-// A part of the window that is drawn on, and a plane's window that it shows.
+// A part of a panel that shows a rectangle of a plane.
 class Canvas {
 public:
-    // As wide as the window has room for. `name`: as what it is noted.
+    // As wide as the panel. `name`: the widget's.
     Canvas(const PanelContext& context, const char* name, float height_by_width, const SectionWindow& window);
     ~Canvas();
     Canvas(const Canvas&) = delete;
@@ -40,10 +40,10 @@ public:
     bool clicked() const { return clicked_; }
     const SectionWindow& window() const { return window_; }
 
-    // Far outside, still near enough for floats to draw straight lines.
+    // Places far outside are moved near enough for floats to draw straight lines.
     ImVec2 at(const glm::dvec2& place) const;
     glm::dvec2 place_of(ImVec2 point) const;
-    // In the window's units.
+    // The length of `count` pixels in the plane's units.
     double pixels(float count) const { return static_cast<double>(count * scale_ / size_.x) * (window_.high.x - window_.low.x); }
 
     void line(const glm::dvec2& from, const glm::dvec2& to, ImU32 color, float thickness) const;
@@ -51,10 +51,10 @@ public:
     void curve(const std::vector<glm::dvec2>& points, ImU32 color, float thickness, bool dashed = false) const;
     void fill(const std::vector<glm::dvec2>& points, ImU32 color) const;
     void point(const glm::dvec2& place, float radius, ImU32 color, bool filled);
-    // No text is written over a disc there, such as a point. Noted as "NAME mark 0" and so on.
+    // Keeps a disc, such as a point, free of texts. Noted as "NAME mark 0" and so on.
     void keep_free(ImVec2 middle, float radius);
-    // Notes a text, which is drawn above all else once the drawing is complete. `across`, `down`: which part of the text is to lie
-    // at the place: 0 its left or upper edge, 1 its right or lower.
+    // Notes a text, which is drawn above all else when the drawing is complete. `across`, `down`: the part of the text that lies at
+    // the place: 0 its left or upper edge, 1 its right or lower edge.
     void text(ImVec2 place, float across, float down, const std::string& words, ImU32 color, Importance importance);
     void cross(const glm::dvec2& place, float reach, ImU32 color, float thickness) const;
     ImDrawList& list() const { return *list_; }
@@ -70,8 +70,8 @@ private:
         ImU32 color;
         Importance importance;
     };
-    // The most important first: each inside and free of marks and of those before, beside its place or, where there is no room, not
-    // at all. Noted as "NAME text WORDS".
+    // Draws the texts, the most important first: inside, clear of marks and of earlier texts, beside its place; a text without room
+    // is left out. Noted as "NAME text WORDS".
     void draw_texts();
 
     struct Box {
@@ -86,7 +86,7 @@ private:
     const PanelContext& context_;
     std::string name_;
     std::vector<Text> texts_;
-    std::vector<Box> taken_;  // by marks, then by texts as well
+    std::vector<Box> taken_;  // by marks and then by texts
     SectionWindow window_;
     float scale_;
     ImVec2 low_;

@@ -1,5 +1,5 @@
-// The plane through a ray as a drawing, and the quadratics of the ray as curves: where their places are, not how they are drawn.
-// In the plane lengths are the scene's, x runs along the ray from where it begins, and y across.
+// The plane through a ray, and the quadratics of the ray as curves: the places of the drawings, without their looks. In the plane
+// lengths are the scene's; x runs along the ray from its origin, y across.
 #pragma once
 
 #include <cstdint>
@@ -108,14 +108,14 @@ struct QuadraticCurve {
 // discriminant.
 struct QuadraticPlot {
     std::vector<QuadraticCurve> curves;  // the subject first
-    double left = 0.0;                   // of what is to be drawn, in t
+    double left = 0.0;                   // the drawn range of t
     double right = 1.0;
-    double bottom = 0.0;  // likewise, in units of a
+    double bottom = 0.0;  // the drawn range in units of a
     double top = 1.0;
-    bool shows_origin = false;  // t = 0 is in it
+    bool shows_origin = false;  // t = 0 is in the range
 };
 
-// `subject`: as for section_of(), the sphere whose curve the plot is fitted to. No curves where nothing is hit or passed.
+// `subject`: the sphere whose curve the plot is fitted to, as for section_of(). No curves if the ray hits and passes nothing.
 QuadraticPlot plot_of(const PixelExplanation& explanation, std::int32_t subject);
 
 }  // namespace sphereview

@@ -50,10 +50,10 @@ private:
     std::size_t drawn_ = 0;     // a hash of what the last redraw draws
 };
 
-// A picture in the window's context, for ImGui, which draws it smaller than it is.
+// A picture in the window's context, which ImGui draws at a smaller size.
 class PictureTexture {
 public:
-    // Nothing for no picture, and for one that is larger than the context's textures.
+    // The picture's texture; nothing for null and for a picture larger than textures can be.
     std::optional<ImTextureID> follow(const std::shared_ptr<const Image>& picture);
 
 private:

@@ -1,4 +1,4 @@
-// Doing what panels, keys, menus and the mouse ask for.
+// Carries out what panels, keys and the mouse ask for.
 #pragma once
 
 #include <vector>

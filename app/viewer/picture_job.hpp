@@ -91,11 +91,12 @@ void export_now(ViewerState& state);
 // File > Export: asks for name and size; asks before it overwrites.
 void ask_for_export(ViewerState& state);
 
-// What is asked for instead of the picture: one sample a pixel, and no more lights than a draft needs.
+// The options of the draft: one sample a pixel, and fewer lights.
 PictureOptions draft_options(const Scene& scene, PictureOptions options);
 
-// A lit picture before there is an exact one: lights the picture whose pixels show these spheres: numbers or visible_background,
-// doubtful guesses marked, row by row. Calls show() as light is added; `kept` is given which lights shine where.
+// A quick lit picture of what the window shows already, before the exact one. Lights the picture whose pixels show the spheres
+// `seen`: numbers or visible_background, doubtful guesses marked, row by row. Calls show() as light is added. `kept` gets which
+// lights shine where.
 Image lit_draft(const Scene& scene, const PictureOptions& options, std::span<const std::int32_t> seen,
                 const std::function<void(Image)>& show, KeptLight* kept = nullptr);
 

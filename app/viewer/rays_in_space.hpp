@@ -19,28 +19,27 @@
 
 namespace sphereview {
 
-// As many as are drawn at once: more are neither seen apart nor quickly drawn.
+// The most rays that are drawn at once: more could not be told apart, nor drawn quickly.
 inline constexpr std::size_t most_rays = 4000;
 
-// The pixels whose rays are drawn: those that stand for the squares of a coarse picture (tiles/pixel_range.hpp), or of the row
-// alone, which is in the picture. None for RaysShown::one.
+// The pixels whose rays are drawn: those that stand for the squares of a coarse picture (tiles/pixel_range.hpp), or those of the
+// given row. None for RaysShown::one.
 std::vector<Pixel> pixels_of_rays(PictureSize size, const RayChoice& choice, int row);
 
-// The least RayChoice::every() with which there are at most most_rays, and the one that makes a good drawing.
+// The least RayChoice::every() with at most most_rays rays, and the one for a good drawing.
 int least_every(PictureSize size, RaysShown shown);
 int usual_every(PictureSize size, RaysShown shown);
 
-// A line in space: from where a ray begins to where it ends.
+// A ray of a camera as a line in space.
 struct TracedRay {
     Pixel pixel;
-    std::int32_t visible = 0;  // the number of the sphere that it ends on, or visible_background
+    std::int32_t visible = 0;  // the number of the sphere at its end, or visible_background
     glm::dvec3 from{0.0};
     glm::dvec3 to{0.0};
 };
 
-// Traces the rays of some pixels of a picture, on all cores: which sphere a ray hits first is decided exactly, and where is the
-// exact point rounded once to the nearest doubles. A ray that hits nothing ends at `far_depth`, as of depth_of(). Of the scene only
-// the spheres matter.
+// Traces the rays of some pixels, on all cores. The first sphere of a ray is decided exactly; the hit is the exact point, rounded
+// once. A ray that hits nothing ends at `far_depth`, as of depth_of().
 std::vector<TracedRay> trace_rays(const Scene& scene, const Camera& camera, PictureSize size, std::span<const Pixel> pixels,
                                   double far_depth);
 

@@ -1,5 +1,5 @@
-// The edits that commands make of what is selected and of the view; and spheres on the clipboard, as the text of a scene: between
-// windows, into an editor and back.
+// The edits of commands, made from the selection and the view; and spheres on the clipboard as the text of a scene, for windows and
+// editors.
 #pragma once
 
 #include "panels/panel_context.hpp"
@@ -27,8 +27,8 @@ bool copy_selected(ViewerState& state);
 // Copies the selected spheres, then deletes them, as one step.
 void cut_selected(ViewerState& state);
 
-// Adds the spheres on the clipboard, as one step, and selects them: where they were, or, if a sphere of the same centre and radius
-// stands there, all of them beside. An announcement says that, or why nothing was pasted.
+// Adds the spheres on the clipboard, as one step, and selects them. They keep their places; if a sphere would equal one in centre
+// and radius, all are moved aside. An announcement says that, or why nothing was pasted.
 void paste(ViewerState& state);
 
 }  // namespace sphereview

@@ -1,7 +1,6 @@
-// What the window draws over its picture to say which way it looks and how large things are: the axes, which can be clicked and
-// dragged, and the scale bar. The same lines as in an export (app/picture_marks.hpp), as large as the window's text asks. And what
-// the mouse does in the picture: the box that selects, the point that the view turns about, the pinned pixels; and the edge of an
-// export.
+// Draws the axes, which can be clicked and dragged, the scale bar and other marks over the window's picture, with the lines of an
+// export (app/picture_marks.hpp) in the size of the window's text; and the selection box, the point that the view turns about,
+// pinned pixels, and the edge of an export.
 #pragma once
 
 #include <imgui.h>
@@ -48,7 +47,7 @@ PictureMarks exported_marks(const ViewerState& state);
 // Draws strokes on the screen, relative to `origin`.
 void draw_strokes(std::span<const Stroke> strokes, ImVec2 origin, double pixels);
 
-// The layer behind ImGui's windows, cut off at the picture's edges while this lives.
+// The layer behind ImGui's windows, clipped to the picture while this lives.
 class OverPicture {
 public:
     explicit OverPicture(const Rectangle& picture) : list_(*ImGui::GetBackgroundDrawList()) {
@@ -65,13 +64,13 @@ private:
     ImDrawList& list_;
 };
 
-// Where a place in the picture is on the screen. `pixels`: of a screen coordinate.
+// A place of the picture in screen coordinates. `pixels`: a screen coordinate's.
 ImVec2 on_screen(const Rectangle& picture, double pixels, const glm::dvec2& place);
 
-// The box, the point and the pins, where they are.
+// Draws the box, the point and the pins.
 void draw_pointer_marks(const ViewerState& state, const MouseControl& mouse, const Rectangle& picture, double pixels, float scale);
 
-// Marks what an export shows of the picture, where that is not all. Not over rays in space.
+// Marks the part of the picture that an export shows, unless that is all. Not over rays in space.
 void draw_export_area(const ViewerState& state, const Rectangle& picture);
 
 }  // namespace sphereview

@@ -6,10 +6,10 @@
 
 namespace sphereview {
 
-// What cancelled work throws: nobody waits for it any more.
+// Thrown by cancelled work.
 struct Cancelled {};
 
-// How many threads share the work: one for each core that this process may use.
+// The number of threads: one for each core that this process may use.
 int worker_count();
 
 // From now on this thread, and the loops that it begins, get only processor time that others leave, so that a window stays quick.
@@ -20,8 +20,8 @@ void give_way();
 // would only make them wait.
 void keep_loops_on_this_thread(bool alone);
 
-// From now on the loops that this thread begins end soon after `flag` is set, and throw Cancelled.
-// nullptr: they always end by themselves.
+// From now on the loops that this thread begins end soon after `flag` is set, and throw Cancelled. nullptr: they run to
+// their end.
 void cancel_loops_by(const std::atomic<bool>* flag);
 
 // Throws Cancelled if the loop in which this is called, or that this thread would begin, is to end. For a work(i) that may take

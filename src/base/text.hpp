@@ -38,14 +38,14 @@ struct Utf8Character {
 };
 Utf8Character first_character(std::string_view text);
 
-// Names of files on Windows are 16-bit units that are usually, but not always, UTF-16. A half of a surrogate pair that stands alone
-// becomes the three bytes that UTF-8 would have for it (WTF-8), and so comes back unchanged.
+// Names of files on Windows are 16-bit units, usually UTF-16. A lone half of a surrogate pair becomes the three bytes that UTF-8
+// would have for it (WTF-8), and so comes back unchanged.
 std::string utf8_from(std::u16string_view units);
-// The way back; each byte that belongs to no character becomes U+FFFD.
+// The inverse; bytes that belong to no character become U+FFFD.
 std::u16string utf16_from(std::string_view text);
 
-// Text from outside, made safe to print and to show: control characters, line separators, marks that reorder text and bytes that
-// are no UTF-8 become \xNN for each byte. Of a longer text the first `most` characters stay, with "..." behind them.
+// Text from outside, made safe to show: each byte of control characters, line separators, marks that reorder text, and of bytes
+// that are not UTF-8 becomes \xNN. Longer texts are cut to `most` characters and "...".
 std::string on_one_line(std::string_view text, std::size_t most = std::string_view::npos);
 // The same, but line feeds stay.
 std::string on_lines(std::string_view text, std::size_t most = std::string_view::npos);

@@ -16,7 +16,7 @@ struct CsvUnits {
     double in_unit_of_places(double radius) const;
 };
 
-// Looks at the names in the header and at the row of units below it, by the header's names. `first`: the field that names[0] names.
+// Reads the units from the header's names and the row of units. `first`: the field of names[0].
 CsvUnits find_units(const ColumnNames& names, std::size_t first, const CsvColumns& columns, const ColumnNames& row_of_units);
 
 }  // namespace sphereview

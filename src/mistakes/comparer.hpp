@@ -37,15 +37,15 @@ struct Palette {
 struct DifferingPixel {
     Pixel pixel;
     Color found;
-    std::optional<std::uint8_t> alpha{};  // that was found, where alpha counts: 0 was expected of the background, else 255
-    // What has that colour in the scene: the first such sphere or visible_background; none where nothing has.
+    std::optional<std::uint8_t> alpha{};  // the found alpha, where alpha counts; the background's is 0, else 255
+    // The first sphere of that colour, or visible_background; nothing if the scene has no such colour.
     std::optional<std::int32_t> found_number{};
     Color expected{};
     std::int32_t expected_number = 0;
     std::size_t share = 0;  // in Diagnosis::shares
 };
 
-// Pixels are counted row by row. The picture and the scene must outlive it.
+// Pixels are numbered row by row. The picture and the scene must outlive this object.
 class Comparer {
 public:
     Comparer(const Image& picture, const Scene& scene, const Background& background);

@@ -11,7 +11,7 @@
 
 namespace sphereview {
 
-// What a sphere takes in memory while its lists are built, as a drawn sphere and in them; more when most are large.
+// Memory for a drawn sphere and its lists while these are built; more if most spheres are large.
 inline constexpr std::size_t bytes_to_draw_a_sphere = 90;
 
 // The lists of a picture, built with all cores. Their sum is bounded: a sphere that covers many tiles goes to a level of larger

@@ -47,7 +47,7 @@ struct TilePlan {
     }
 };
 
-// What tiles cost a renderer. Tiles are chosen so that one picture costs least; the picture does not depend on them.
+// A renderer's costs of tiles, by which the tiles of least cost are chosen. The picture does not depend on them.
 struct TileCosts {
     int smallest_shift = 0;  // no tile's side is below 2^this pixels
     double candidate = 1.0;  // of listing one sphere in one tile
