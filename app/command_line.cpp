@@ -337,6 +337,7 @@ Run parse_command_line(int argc, const char* const* argv) {
         "sphereview");
     app.allow_windows_style_options(false);  // "/scenes/a.txt" is a file
     app.set_version_flag("--version", program_and_version);
+    app.get_formatter()->label("Excludes", "Not with");  // as usage_error.cpp says it
     declare_texts(app);
     app.footer(exit_codes);
     app.require_subcommand(1);  // and no second: "doctor" behind it is a file's name
