@@ -240,7 +240,8 @@ RaySection section_of(const SectionSubject& of, std::optional<std::int32_t> subj
     const glm::dvec2 half{of.size.width / m, of.size.height / m};
     section.on_screen = length;
     const SectionLine screen = plane.cut(e.origin + e.direction, from_middle, half);
-    if (of.from_eye && std::isfinite(glm::length(screen.to - screen.from))) section.screen = screen;
+    if (of.from_eye && std::isfinite(screen.to.x - screen.from.x) && std::isfinite(screen.to.y - screen.from.y))
+        section.screen = screen;
     if (of.camera.orthographic() && section.screen) section.eye_plane = plane.cut(e.origin, from_middle, half);
 
     section.window = window_for(section, aspect);

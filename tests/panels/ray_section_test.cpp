@@ -72,6 +72,9 @@ TEST(RaySectionTest, IsTheSameForAScreenOfAnySize) {
         const RaySection section = SectionOfPixel(spheres, {52, 49}, camera_of_screen(exponent)).section();
         ASSERT_EQ(section.circles.size(), 2U) << exponent;
         EXPECT_NEAR(*section.seen, *usual.seen, 1e-9) << exponent;
+        ASSERT_TRUE(section.screen) << exponent;
+        for (int axis = 0; axis < 2; ++axis)
+            EXPECT_NEAR(std::ldexp(section.screen->to[axis], -exponent), usual.screen->to[axis], 1e-9) << exponent;
         for (std::size_t i = 0; i < 2; ++i) {
             EXPECT_NEAR(section.circles[i].first, usual.circles[i].first, 1e-9) << exponent;
             EXPECT_NEAR(section.circles[i].second, usual.circles[i].second, 1e-9) << exponent;
